@@ -1,1 +1,27 @@
-//! To be filled.
+//! The files of Luch: scenes, models, pictures. The only crate that opens files.
+
+#![forbid(unsafe_code)]
+#![deny(
+    clippy::indexing_slicing,
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::arithmetic_side_effects,
+    clippy::cast_possible_truncation
+)]
+#![cfg_attr(
+    test,
+    allow(
+        clippy::indexing_slicing,
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::arithmetic_side_effects,
+        clippy::cast_possible_truncation,
+        reason = "tests may be plain"
+    )
+)]
+
+pub mod error;
+pub mod report;
+
+pub use error::{Error, ErrorKind, Place, Result};
+pub use report::Report;

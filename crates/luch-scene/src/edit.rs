@@ -115,7 +115,7 @@ pub enum SceneEdit {
 }
 
 /// A change of the defaults of a scene's pictures.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum SettingsEdit {
     /// Set the size.
     SetSize(ImageSize),

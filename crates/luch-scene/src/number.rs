@@ -67,7 +67,7 @@ ranged!(
 );
 ranged!(
     /// The attenuation constant K and the focal distance.
-    Positive, "a number above 0, up to 1e9", |v| v >= MIN_SIZE && v <= MAX_COORDINATE
+    Positive, "a number above 0, up to 1e9", |v| (MIN_SIZE..=MAX_COORDINATE).contains(&v)
 );
 ranged!(
     /// A radius, a side, a scale: from [`MIN_SIZE`] to [`MAX_COORDINATE`].

@@ -1,0 +1,6 @@
+//! Tools of the Luch repository, as a library so that their results can be tested.
+
+pub mod models;
+
+/// Where `cargo xtask models` writes unless told otherwise, whatever the current folder.
+pub const MODELS_DIR: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../assets/models");

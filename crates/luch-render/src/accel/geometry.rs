@@ -68,7 +68,7 @@ impl Placement {
 
 /// Takes world rays into the space of an object. The one arithmetic for it: kernels repeat it in lanes.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct ObjectFromWorld {
+pub struct ObjectFromWorld {
     /// Rows of the inverse linear map; `None` where the placement is the identity, which then is skipped everywhere.
     pub(crate) rows: Option<[Vec3; 3]>,
     pub(crate) translation: Vec3,
@@ -76,7 +76,7 @@ pub(crate) struct ObjectFromWorld {
 
 impl ObjectFromWorld {
     /// `None` when the placement flattens space or is not finite: such an instance is never hit.
-    pub(crate) fn new(placement: &Placement) -> Option<Self> {
+    pub fn new(placement: &Placement) -> Option<Self> {
         if *placement == Placement::IDENTITY {
             return Some(Self { rows: None, translation: Vec3::ZERO });
         }
@@ -93,7 +93,7 @@ impl ObjectFromWorld {
     }
 
     /// The ray in object space. The direction is not normalised, so `t` stays the same parameter.
-    pub(crate) fn ray(&self, ray: &Ray) -> Ray {
+    pub fn ray(&self, ray: &Ray) -> Ray {
         let Some(rows) = &self.rows else { return *ray };
         let map = |v: Vec3| Vec3::from(rows.map(|row| (row.x * v.x + row.y * v.y) + row.z * v.z));
         Ray { origin: map(ray.origin - self.translation), direction: map(ray.direction), ..*ray }

@@ -135,9 +135,15 @@ pub(crate) fn meets(bounds: &Bounds, ray: &Ray) -> bool {
     let (mut near, mut far) = (ray.t_min, ray.t_max);
     for axis in 0..3 {
         let (o, d) = (ray.origin[axis], ray.direction[axis]);
+        if d == 0.0 {
+            // Not left to the division: 0/0 when the origin lies on the slab.
+            if !(bounds.min[axis] <= o && o <= bounds.max[axis]) {
+                return false;
+            }
+            continue;
+        }
         let a = (bounds.min[axis] - o) / d;
         let b = (bounds.max[axis] - o) / d;
-        // f32::min and max drop a NaN, which is 0/0: the origin on a slab the ray is parallel to.
         near = near.max(a.min(b) * (1.0 - SLACK));
         far = far.min(a.max(b) * (1.0 + SLACK));
     }

@@ -11,7 +11,7 @@ mod mesh_tree;
 mod scene_tree;
 
 pub use fearless_simd::Level;
-pub use geometry::{Geometry, Placement};
+pub use geometry::{Geometry, ObjectFromWorld, Placement};
 pub use mesh_tree::{MeshStatistics, MeshTree};
 pub use scene_tree::{CostBatch, SceneTree};
 

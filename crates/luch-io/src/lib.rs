@@ -20,8 +20,12 @@
     )
 )]
 
+pub mod builtin;
 pub mod error;
 pub mod report;
+pub mod scene_file;
 
+pub use builtin::SceneSource;
 pub use error::{Error, ErrorKind, Place, Result};
 pub use report::Report;
+pub use scene_file::{LoadMesh, parse_scene, read_scene, write_scene};

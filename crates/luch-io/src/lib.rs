@@ -20,12 +20,20 @@
     )
 )]
 
+pub mod atomic_save;
+pub mod budget;
+pub mod built_in_models;
 pub mod builtin;
 pub mod error;
+pub mod library;
+pub mod obj;
+pub mod picture;
 pub mod report;
+pub mod resolve;
 pub mod scene_file;
 
 pub use builtin::SceneSource;
 pub use error::{Error, ErrorKind, Place, Result};
+pub use picture::{Metadata, PictureFormat, Pixels, linear_hash, write_exr, write_png};
 pub use report::Report;
 pub use scene_file::{LoadMesh, parse_scene, read_scene, write_scene};

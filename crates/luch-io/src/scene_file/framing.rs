@@ -45,7 +45,7 @@ mod tests {
                 for corner in 0..8 {
                     let pick = |bit: u8, axis: usize| if corner & bit == 0 { lo[axis] } else { hi[axis] };
                     let p = Vec3::new(pick(1, 0), pick(2, 1), pick(4, 2)) - camera.position.get();
-                    let reach = p.dot(forward) * (camera.fov.radians() * 0.5).tan();
+                    let reach = p.dot(forward) * libm::tanf(camera.fov.radians() * 0.5);
                     assert!(p.dot(right).abs() <= reach && p.dot(up).abs() <= reach, "{bounds:?} {}", camera.name);
                 }
             }

@@ -73,11 +73,15 @@ impl Schema {
     /// The words of an unknown key.
     fn unknown(&self, context: Context<'_>, key: &str, span: &Range<usize>) -> Error {
         let quoted = quote(key);
-        if let Some(known) = nearest(key, self.keys.iter().copied()) {
+        let elsewhere = self.elsewhere.iter().find(|(k, _)| *k == key);
+        // A key that belongs elsewhere is no slip of the pen, however near to another it is.
+        if elsewhere.is_none()
+            && let Some(known) = nearest(key, self.keys.iter().copied())
+        {
             return context.error(span, format!("unknown key {quoted}, did you mean `{known}`?"));
         }
         let error = context.error(span, format!("unknown key {quoted} in {}", self.what));
-        match self.elsewhere.iter().find(|(k, _)| *k == key) {
+        match elsewhere {
             Some((_, place)) => error.hint(*place),
             None => error.hint(format!("{} may have: {}", self.what, self.keys.join(", "))),
         }

@@ -12,8 +12,8 @@ use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 
-/// Loads the mesh of a path as the scene file writes it. It is asked once for each path.
-pub type LoadMesh<'a> = dyn FnMut(&str) -> Result<Arc<Mesh>> + 'a;
+/// Loads the mesh of a path as the scene file writes it, with its warnings. It is asked once for each path.
+pub type LoadMesh<'a> = dyn FnMut(&str, &mut Report) -> Result<Arc<Mesh>> + 'a;
 
 /// Reads a scene file.
 ///
@@ -71,7 +71,7 @@ impl Meshes<'_, '_> {
         let shape = match shape {
             RawShape::Ready(shape) => shape,
             RawShape::Mesh { path, span, position, rotation, scale } => {
-                let mesh = self.mesh(&path, &span, text)?;
+                let mesh = self.mesh(&path, &span, text, report)?;
                 Shape::Mesh(MeshInstance { mesh, path, position, rotation, scale })
             }
         };
@@ -90,11 +90,11 @@ impl Meshes<'_, '_> {
         Ok(object)
     }
 
-    fn mesh(&mut self, path: &str, span: &Range<usize>, text: SceneText<'_>) -> Result<Arc<Mesh>> {
+    fn mesh(&mut self, path: &str, span: &Range<usize>, text: SceneText<'_>, report: &mut Report) -> Result<Arc<Mesh>> {
         if let Some(mesh) = self.loaded.get(path) {
             return Ok(Arc::clone(mesh));
         }
-        let mesh = (self.load_mesh)(path).map_err(|e| told_in_the_scene(e, span, text))?;
+        let mesh = (self.load_mesh)(path, report).map_err(|e| told_in_the_scene(e, span, text))?;
         self.loaded.insert(path.to_owned(), Arc::clone(&mesh));
         Ok(mesh)
     }

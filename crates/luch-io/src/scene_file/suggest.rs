@@ -2,13 +2,13 @@
 
 /// The nearest of the known words, if one is near enough to be meant.
 ///
-/// Near enough is a third of the word's length, at least one slip: `colr` finds `color`, `xyz` finds nothing.
+/// Near enough is one slip for every three letters begun: `colr` finds `color`, `fong` finds `phong`, `xyz` nothing.
 #[must_use]
 pub fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     // No known word is longer; without this a file could make us measure megabytes against each key.
     const LONGEST: usize = 64;
     let word: Vec<char> = word.chars().take(LONGEST).flat_map(char::to_lowercase).collect();
-    let reach = word.len().div_euclid(3).max(1);
+    let reach = word.len().div_ceil(3).max(1);
     let slips = |k: &&str| slips(&word, &k.chars().flat_map(char::to_lowercase).collect::<Vec<_>>());
     // The first of equals: the order of `known` is the order of the documentation.
     known.into_iter().map(|k| (slips(&k), k)).filter(|&(n, _)| n <= reach).min_by_key(|&(n, _)| n).map(|(_, k)| k)
@@ -68,6 +68,7 @@ mod tests {
         assert_eq!(nearest("Colour", known), Some("color"));
         assert_eq!(nearest("reflexion", known), Some("reflection"));
         assert_eq!(nearest("xyz", known), None);
+        assert_eq!(nearest("fong", ["flat", "gouraud", "phong"]), Some("phong"));
         assert_eq!(nearest("", known), None);
         assert_eq!(nearest(&"c".repeat(1 << 20), known), None);
     }

@@ -8,13 +8,23 @@ use std::ops::Range;
 ///
 /// `base` is where the section `source` starts in the file.
 pub(super) fn error(text: SceneText<'_>, base: usize, source: &str, error: &toml::de::Error) -> Error {
-    let slip = Slip::new(source, error.span());
+    let slip = Slip::new(source, error.span().unwrap_or_else(|| deepest_line(source)));
     let (span, words, hint) = slip.describe(error.message());
     let error = text.error(&(span.start.saturating_add(base)..span.end.saturating_add(base)), words);
     match hint {
         Some(hint) => error.hint(hint),
         None => error,
     }
+}
+
+/// The line with the most points. An error without a place is about a key of too many parts: `a.a.a.a`.
+fn deepest_line(source: &str) -> Range<usize> {
+    let lines = source.split_inclusive('\n').scan(0_usize, |end, line| {
+        let start = *end;
+        *end = start.saturating_add(line.len());
+        Some((line.matches('.').count(), start..start.saturating_add(line.trim_end().len())))
+    });
+    lines.max_by_key(|(points, span)| (*points, std::cmp::Reverse(span.start))).map_or(0..0, |(_, span)| span)
 }
 
 /// The surroundings of an error.
@@ -31,8 +41,7 @@ struct Slip<'a> {
 type Description = (Range<usize>, String, Option<&'static str>);
 
 impl<'a> Slip<'a> {
-    fn new(source: &'a str, span: Option<Range<usize>>) -> Self {
-        let span = span.unwrap_or(source.len()..source.len());
+    fn new(source: &'a str, span: Range<usize>) -> Self {
         let around = |ends: fn(char) -> bool| {
             let before = source.get(..span.start).unwrap_or_default();
             let after = source.get(span.start..).unwrap_or_default();
@@ -100,8 +109,14 @@ impl<'a> Slip<'a> {
         } else if is(&["invalid boolean"]) {
             at_word(format!("{word} is no value"), Some("write true or false in small letters"))
         } else if is(&["missing escaped value", "invalid value", "invalid unicode"]) {
+            let before = self.source.get(..self.span.start).unwrap_or_default();
+            let backslash = before.rfind('\\').unwrap_or(self.span.start);
             let hint = "a backslash is written twice: \\\\; paths are written with /";
-            at("the backslash begins nothing that is known".into(), Some(hint))
+            (
+                backslash..self.span.end.max(self.span.start),
+                "the backslash begins nothing that is known".into(),
+                Some(hint),
+            )
         } else if is(&["carriage return"]) {
             let hint = "save the file with the line ends of Unix (LF) or Windows (CRLF)";
             at("a carriage return that ends no line".into(), Some(hint))
@@ -142,6 +157,8 @@ impl<'a> Slip<'a> {
         }
         let hint = if found.contains(';') {
             "lines end without a semicolon"
+        } else if found.ends_with('%') {
+            "a share is a number: 0.8 for 80 %"
         } else if found.split_whitespace().all(|w| w.parse::<f64>().is_ok()) {
             "the numbers of a list are separated by commas: [1.0, 2.0, 3.0]"
         } else {

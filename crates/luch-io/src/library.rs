@@ -1,0 +1,109 @@
+//! The meshes of a run: each file is read once and shared.
+
+use crate::budget::Budget;
+use crate::built_in_models::{BUILT_IN_MODELS, BuiltInModel};
+use crate::error::{Error, ErrorKind, Result};
+use crate::obj;
+use crate::report::Report;
+use crate::resolve::{Found, MAX_MESH_BYTES, MAX_TEXT_BYTES, SceneFile, SceneFolder};
+use luch_scene::{Mesh, MeshData};
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, OnceLock};
+use std::time::SystemTime;
+
+/// Meshes by the file that they came from.
+///
+/// A file is read again when its size or its time of change is another. Models inside the program are read once in the
+/// whole run, by the first scene that needs them.
+#[derive(Debug, Default)]
+pub struct MeshLibrary {
+    meshes: HashMap<Key, Arc<Mesh>>,
+}
+
+#[derive(Debug, PartialEq, Eq, Hash)]
+struct Key {
+    path: PathBuf,
+    bytes: u64,
+    modified: Option<SystemTime>,
+}
+
+impl MeshLibrary {
+    /// An empty library.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// The mesh that a scene of `folder` names by `path`.
+    ///
+    /// The memory of the mesh stays charged to `budget`, once for each mesh however often it is asked for.
+    ///
+    /// # Errors
+    /// As [`SceneFolder::find`] and [`obj::read`].
+    pub fn mesh(
+        &mut self,
+        folder: &SceneFolder,
+        path: &str,
+        budget: &mut Budget,
+        report: &mut Report,
+    ) -> Result<Arc<Mesh>> {
+        match folder.find(path)? {
+            Found::BuiltIn(model) => built_in(model),
+            Found::File(file) => self.mesh_of_file(folder, &file, budget, report),
+        }
+    }
+
+    /// The mesh of a file that was found already, with its material libraries behind the fence of `folder`.
+    ///
+    /// # Errors
+    /// As [`MeshLibrary::mesh`].
+    pub fn mesh_of_file(
+        &mut self,
+        folder: &SceneFolder,
+        file: &SceneFile,
+        budget: &mut Budget,
+        report: &mut Report,
+    ) -> Result<Arc<Mesh>> {
+        let key = Key { path: file.path().to_owned(), bytes: file.bytes(), modified: file.modified() };
+        if let Some(mesh) = self.meshes.get(&key) {
+            return Ok(Arc::clone(mesh));
+        }
+        let bytes = file.read(MAX_MESH_BYTES, budget)?;
+        let mut open = |name: &str, budget: &mut Budget| folder.find_beside(file, name)?.read(MAX_TEXT_BYTES, budget);
+        let data = obj::read(bytes, file.shown(), &mut open, budget, report)?;
+        let mesh = Arc::new(checked(data, file.shown())?);
+        self.meshes.insert(key, Arc::clone(&mesh));
+        Ok(mesh)
+    }
+
+    /// Forgets the meshes that no scene holds any more.
+    pub fn forget_unused(&mut self) {
+        self.meshes.retain(|_, mesh| Arc::strong_count(mesh) > 1);
+    }
+}
+
+/// A model inside the program: read at the first call, shared from then on.
+fn built_in(model: &'static BuiltInModel) -> Result<Arc<Mesh>> {
+    static MESHES: [OnceLock<Result<Arc<Mesh>>>; BUILT_IN_MODELS.len()] =
+        [const { OnceLock::new() }; BUILT_IN_MODELS.len()];
+    let file = Path::new(model.path);
+    let read = || {
+        let mut no_library = |name: &str, _: &mut Budget| Err(Error::new(ErrorKind::Forbidden, name, "no such file"));
+        // Ours, and small: neither the user's limit nor the user's wish to stop applies.
+        let mut budget = Budget::new(Budget::FALLBACK_LIMIT);
+        let bytes = model.bytes.to_vec();
+        let data = obj::read(bytes, file, &mut no_library, &mut budget, &mut Report::default())?;
+        Ok(Arc::new(checked(data, file)?))
+    };
+    let place = BUILT_IN_MODELS.iter().position(|m| m.path == model.path);
+    match place.and_then(|place| MESHES.get(place)) {
+        Some(mesh) => mesh.get_or_init(read).clone(),
+        None => read(),
+    }
+}
+
+/// The mesh of what was read. The reader has checked everything that the mesh checks, so an error here is a fault of ours.
+fn checked(data: MeshData, file: &Path) -> Result<Mesh> {
+    Mesh::new(data).map_err(|e| Error::new(ErrorKind::Malformed, file, e.to_string()))
+}

@@ -6,9 +6,16 @@
 //! The nearest hit is the one with the smallest `t`, ties going to the smaller (object, primitive): never to whichever
 //! the traversal met first. So the result has the same bits at every SIMD level, batch size, thread and coherence hint.
 
+mod build;
 mod geometry;
+mod lanes;
+mod leaf_test;
 mod mesh_tree;
+mod nodes;
+mod objects;
 mod scene_tree;
+mod single;
+mod slabs;
 
 pub use fearless_simd::Level;
 pub use geometry::{Geometry, ObjectFromWorld, Placement};

@@ -26,6 +26,7 @@ pub mod built_in_models;
 pub mod builtin;
 pub mod error;
 pub mod library;
+pub mod model_scene;
 pub mod obj;
 pub mod picture;
 pub mod report;

@@ -1,7 +1,7 @@
 //! From a scene to the text of its file: pretty, stable, and read back as the same scene.
 
 use glam::Vec3;
-use luch_scene::{Aim, Camera, Color, Light, Object, Rotation, Sampling, Scene, Shape, Size, Unit};
+use luch_scene::{Aim, Camera, Color, Light, Object, Rotation, Sampling, Scene, Shape, Size};
 use std::fmt::{self, Write};
 
 /// What a written file tells who opens it in an editor.
@@ -60,7 +60,7 @@ fn write_camera(out: &mut String, camera: &Camera) -> fmt::Result {
     if let Some(distance) = camera.focal_distance {
         writeln!(out, "focal_distance = {:?}", distance.get())?;
     }
-    if camera.lens_radius.get() != 0.0 {
+    if !is_plain_zero(camera.lens_radius.get()) {
         writeln!(out, "lens_radius = {:?}", camera.lens_radius.get())?;
     }
     Ok(())
@@ -73,7 +73,7 @@ fn write_object(out: &mut String, object: &Object) -> fmt::Result {
     if let Some(color) = material.color {
         writeln!(out, "color = {}", Colored(color))?;
     }
-    if material.reflection != Unit::ZERO {
+    if !is_plain_zero(material.reflection.get()) {
         writeln!(out, "reflection = {:?}", material.reflection.get())?;
     }
     if let Some(gloss) = material.gloss {
@@ -124,7 +124,16 @@ fn write_shape(out: &mut String, shape: &Shape) -> fmt::Result {
 }
 
 fn write_rotation(out: &mut String, rotation: Rotation) -> fmt::Result {
-    if rotation.is_none() { Ok(()) } else { writeln!(out, "rotation = {}", Triple(rotation.degrees())) }
+    let degrees = rotation.degrees();
+    if degrees.to_array().into_iter().all(is_plain_zero) {
+        return Ok(());
+    }
+    writeln!(out, "rotation = {}", Triple(degrees))
+}
+
+/// Whether a number is the default 0. Minus zero is equal to it, but a scene is read back with the same bits.
+const fn is_plain_zero(v: f32) -> bool {
+    v.to_bits() == 0
 }
 
 fn write_hidden(out: &mut String, hidden: bool) -> fmt::Result {
@@ -155,9 +164,10 @@ struct Colored(Color);
 
 impl fmt::Display for Colored {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let bits = |color: Color| color.get().to_array().map(f32::to_bits);
         match self.0.to_hex() {
-            Some(hex) => write!(f, "\"{hex}\""),
-            None => write!(f, "{}", Triple(self.0.get())),
+            Some(hex) if Color::from_hex(&hex).map(bits) == Some(bits(self.0)) => write!(f, "\"{hex}\""),
+            _ => write!(f, "{}", Triple(self.0.get())),
         }
     }
 }

@@ -152,7 +152,7 @@ impl Completion<'_> {
                 Some(_) => join_groups(&mut facets, &mut order),
                 None => join_over_soft_edges(&mut facets, &mut order),
             }
-            self.give_normals(vertex, &facets, budget)?;
+            self.give_normals(vertex, &facets, &mut order, budget)?;
         }
         budget.release_list(&ends, ends.capacity());
         budget.release_list(&corners, corners.capacity());
@@ -219,34 +219,38 @@ impl Completion<'_> {
     }
 
     /// Sums each fan and tells its corners where the sum lies.
-    fn give_normals(&mut self, vertex: usize, facets: &[Facet], budget: &mut Budget) -> Result<(), OverBudget> {
-        for (i, first) in facets.iter().enumerate() {
-            if first.fan != i {
-                continue;
-            }
+    fn give_normals(
+        &mut self,
+        vertex: usize,
+        facets: &[Facet],
+        order: &mut Vec<(u32, usize)>,
+        budget: &mut Budget,
+    ) -> Result<(), OverBudget> {
+        order.clear();
+        order.extend(facets.iter().enumerate().map(|(i, f)| (u32::try_from(f.fan).unwrap_or(u32::MAX), i)));
+        order.sort_unstable();
+        for fan in order.chunk_by(|a, b| a.0 == b.0) {
+            let facets = || fan.iter().filter_map(|(_, i)| facets.get(*i));
             let mut sum = [0.0_f64; 3];
-            let fan = || facets.iter().skip(i).filter(|f| f.fan == i);
-            for facet in fan() {
+            for facet in facets() {
                 let [x, y, z] = facet.normal;
                 sum = [sum[0] + x * facet.angle, sum[1] + y * facet.angle, sum[2] + z * facet.angle];
             }
             #[allow(clippy::cast_possible_truncation, reason = "rounding to the nearest f32 is meant")]
             let sum = sum.map(|c| c as f32);
-            let number = if i == 0 {
-                let number = self.base.saturating_add(vertex);
-                if let Some(slot) = self.normals.get_mut(number) {
-                    *slot = sum;
+            let is_first = matches!(fan, [(0, _), ..]);
+            let number = if is_first { self.base.saturating_add(vertex) } else { self.normals.len() };
+            match self.normals.get_mut(number) {
+                Some(slot) => *slot = sum,
+                None => {
+                    if self.normals.len() == self.normals.capacity() {
+                        budget.reserve(self.normals, (self.normals.len() / 2).max(64), "normals")?;
+                    }
+                    self.normals.push(sum);
                 }
-                number
-            } else {
-                if self.normals.len() == self.normals.capacity() {
-                    budget.reserve(self.normals, self.normals.len() / 2, "normals")?;
-                }
-                self.normals.push(sum);
-                self.normals.len().saturating_sub(1)
-            };
+            }
             let number = u32::try_from(number).unwrap_or(u32::MAX);
-            for facet in fan() {
+            for facet in facets() {
                 self.set(facet.corner, number, budget)?;
             }
         }

@@ -23,21 +23,10 @@ pub use mesh_tree::{MeshStatistics, MeshTree};
 pub use scene_tree::{CostBatch, SceneTree};
 
 /// The SIMD levels this machine can run, slowest first, each with the name the command line uses.
+///
+/// `scalar` is what every machine of the target has without asking (SSE2 on x86-64, NEON on 64-bit ARM). The library's
+/// own emulation of 16 lanes by arrays is not compiled: it made the build of this crate ten times slower.
 pub fn available_levels() -> Vec<(&'static str, Level)> {
-    let best = Level::new();
-    let mut levels = vec![("scalar", Level::fallback())];
-    #[cfg(target_arch = "x86_64")]
-    levels.extend(
-        [
-            ("sse2", best.as_sse2().map(Level::Sse2)),
-            ("sse4.2", best.as_sse4_2().map(Level::Sse4_2)),
-            ("avx2", best.as_avx2().map(Level::Avx2)),
-            ("avx512", best.as_avx512().map(Level::Avx512)),
-        ]
-        .into_iter()
-        .filter_map(|(name, level)| Some((name, level?))),
-    );
-    #[cfg(target_arch = "aarch64")]
-    levels.extend(best.as_neon().map(|neon| ("neon", Level::Neon(neon))));
-    levels
+    use crate::simd::SimdLevel;
+    SimdLevel::available().into_iter().filter_map(|level| Some((level.word(), level.level()?))).collect()
 }

@@ -1,0 +1,269 @@
+//! Backward ray tracing (Whitted, "An Improved Illumination Model for Shaded Display", 1980), a batch at a time.
+//!
+//! A wave is a batch of rays of the same depth: find their nearest hits, work out the surfaces, ask for each light which
+//! of them it reaches, and send the mirror rays on as the next wave. When no wave is left, the colours are mixed on the
+//! way back, deepest first: `(1 - r) * local + r * mirrored`.
+
+use super::Colors;
+use crate::compiled::{CompiledLight, CompiledScene};
+use crate::math::lanes::{LANES, LaneMask, Lanes, Vec3Lanes};
+use crate::math::ray::{Coherence, HitBatch, Mask, Ray, RayBatch};
+use crate::shading::gouraud::Faces;
+use crate::shading::spawn::{mirror_rays, shadow_rays};
+use crate::shading::surface::{SurfaceBatch, parts, views};
+use crate::shading::terms::{LightTerms, LitPoint, limited, share};
+use fearless_simd::prelude::*;
+use fearless_simd::{Level, dispatch};
+
+/// The memory of a tracer, and the depth that it goes to.
+#[derive(Debug)]
+pub(crate) struct Waves {
+    depth: u32,
+    hits: HitBatch,
+    surfaces: SurfaceBatch,
+    shadows: Shadows,
+    mirror: RayBatch,
+    next: RayBatch,
+    /// What is kept of each wave until the colours are mixed.
+    kept: Vec<Wave>,
+}
+
+/// What is kept of a wave.
+#[derive(Debug, Default)]
+struct Wave {
+    colors: Colors,
+    /// For each ray of the next wave: the ray of this one that it came from, and its mirror share.
+    mirrors: Vec<(u32, f32)>,
+}
+
+/// Shadow rays of one light, and what the light would add without them.
+#[derive(Debug, Default)]
+struct Shadows {
+    rays: RayBatch,
+    blocked: Mask,
+    diffuse: Vec<f32>,
+    specular: Vec<f32>,
+}
+
+impl Waves {
+    /// Memory for paths of at most `depth` surfaces.
+    pub(crate) fn new(depth: u32) -> Self {
+        Self {
+            depth,
+            hits: HitBatch::new(),
+            surfaces: SurfaceBatch::default(),
+            shadows: Shadows::default(),
+            mirror: RayBatch::new(),
+            next: RayBatch::new(),
+            kept: Vec::new(),
+        }
+    }
+
+    /// Works out the colour of every ray and answers with the number of rays traced. The batch is used up.
+    pub(crate) fn trace(
+        &mut self,
+        scene: &CompiledScene,
+        level: Level,
+        rays: &mut RayBatch,
+        colors: &mut Colors,
+    ) -> u64 {
+        let mut traced = 0;
+        let mut waves = 0;
+        std::mem::swap(&mut self.mirror, rays);
+        while !self.mirror.is_empty() {
+            if self.kept.len() == waves {
+                self.kept.push(Wave::default());
+            }
+            let mut wave = std::mem::take(&mut self.kept[waves]);
+            traced += self.trace_wave(scene, level, u32::try_from(waves).unwrap_or(u32::MAX), &mut wave);
+            self.kept[waves] = wave;
+            waves += 1;
+            std::mem::swap(&mut self.mirror, &mut self.next);
+        }
+        std::mem::swap(&mut self.mirror, rays);
+        self.mix(waves);
+        if let Some(first) = self.kept.first_mut()
+            && waves > 0
+        {
+            std::mem::swap(&mut first.colors, colors);
+        }
+        traced
+    }
+
+    /// Traces the rays of `self.mirror` as wave number `number`, leaving its mirror rays in `self.next`.
+    fn trace_wave(&mut self, scene: &CompiledScene, level: Level, number: u32, wave: &mut Wave) -> u64 {
+        wave.colors.resize(self.mirror.len());
+        wave.mirrors.clear();
+        self.next.clear();
+        if number >= self.depth {
+            for index in 0..self.mirror.len() {
+                wave.colors.set(index, scene.background.to_array());
+            }
+            return 0;
+        }
+        let coherence = if number == 0 { Coherence::Coherent } else { Coherence::Incoherent };
+        scene.tree.closest_hits(level, &self.mirror, coherence, &mut self.hits);
+        let mut traced = self.mirror.len() as u64;
+        let (rays, hits, surfaces) = (&self.mirror, &self.hits, &mut self.surfaces);
+        dispatch!(level, simd => {
+            surfaces.fill(simd, scene, rays, hits);
+            ambient(simd, scene, surfaces, &mut wave.colors);
+        });
+        for light in &scene.lights {
+            let (surfaces, shadows) = (&self.surfaces, &mut self.shadows);
+            let asked = dispatch!(level, simd => shadows.ask(simd, scene, light, (rays, hits), surfaces));
+            if asked == 0 {
+                continue;
+            }
+            traced += asked;
+            scene.tree.occluded(level, &shadows.rays, coherence, &mut shadows.blocked);
+            dispatch!(level, simd => shadows.add(simd, light, surfaces, &mut wave.colors));
+        }
+        let next = &mut self.next;
+        dispatch!(level, simd => send_mirrors(simd, rays, surfaces_of(&self.surfaces), wave, next));
+        traced
+    }
+
+    /// Mixes the colours of the waves into those of the first, deepest first.
+    fn mix(&mut self, waves: usize) {
+        for number in (1..waves).rev() {
+            let (upper, lower) = self.kept.split_at_mut(number);
+            let (above, below) = (&mut upper[number - 1], &lower[0]);
+            for (index, &(parent, reflection)) in above.mirrors.iter().enumerate() {
+                let (local, mirrored) = (above.colors.get(parent as usize), below.colors.get(index));
+                let mix = std::array::from_fn(|c| (1.0 - reflection) * local[c] + reflection * mirrored[c]);
+                above.colors.set(parent as usize, mix);
+            }
+        }
+    }
+}
+
+/// Gives the closure of `dispatch!` a plain reference to capture.
+const fn surfaces_of(surfaces: &SurfaceBatch) -> &SurfaceBatch {
+    surfaces
+}
+
+/// Starts the colours with the ambient term; rays that hit nothing get the background.
+#[inline(always)]
+fn ambient<S: Simd>(simd: S, scene: &CompiledScene, surfaces: &SurfaceBatch, colors: &mut Colors) {
+    let background = Vec3Lanes::splat(simd, scene.background);
+    let level = Lanes::splat(simd, scene.ambient);
+    for (group, &hit) in surfaces.hit.iter().enumerate() {
+        let at = group * LANES;
+        let mask = LaneMask::from_bitmask(simd, u64::from(hit));
+        let base = Vec3Lanes::load(simd, views(&surfaces.base), at);
+        let lit = limited(simd, base.scale(level));
+        Vec3Lanes::select(mask, lit, background).store(parts(&mut colors.0), at);
+    }
+}
+
+impl Shadows {
+    /// Works out what a light would add to each surface, and makes shadow rays for those it would add anything to.
+    /// Answers with their number.
+    #[inline(always)]
+    fn ask<S: Simd>(
+        &mut self,
+        simd: S,
+        scene: &CompiledScene,
+        light: &CompiledLight,
+        (rays, hits): (&RayBatch, &HitBatch),
+        surfaces: &SurfaceBatch,
+    ) -> u64 {
+        let padded = rays.padded_len();
+        self.rays.clear();
+        self.rays.resize(rays.len());
+        self.diffuse.resize(padded, 0.0);
+        self.specular.resize(padded, 0.0);
+        let position = Vec3Lanes::splat(simd, light.position);
+        let zero = Lanes::splat(simd, 0.0);
+        let mut asked = 0;
+        for at in (0..padded).step_by(LANES) {
+            let (hit, gouraud) = (surfaces.hit[at / LANES], surfaces.gouraud[at / LANES]);
+            let mut added = (zero, zero);
+            if hit != 0 {
+                let point = lit_point(simd, rays, surfaces, at);
+                let terms = LightTerms::at(simd, &point, light, scene.attenuation);
+                added = (terms.diffuse, terms.specular);
+                if gouraud != 0 {
+                    let facing = Vec3Lanes::load(simd, views(&surfaces.geometric_normal), at);
+                    let faces = Faces::of(simd, scene, rays, hits, at, facing);
+                    added = faces.blend(simd, gouraud, (light, scene.attenuation), added);
+                }
+            }
+            let lit = added.0.simd_gt(zero) | added.1.simd_gt(zero);
+            let wanted = lit & LaneMask::from_bitmask(simd, u64::from(hit));
+            // Lanes without a shadow ray get nothing from the light either.
+            wanted.select(added.0, zero).store_slice(&mut self.diffuse[at..at + LANES]);
+            wanted.select(added.1, zero).store_slice(&mut self.specular[at..at + LANES]);
+            if wanted.any_true() {
+                asked += u64::from(wanted.to_bitmask().count_ones());
+                let (origin, direction, length) = shadow_rays(simd, surfaces, at, position);
+                let lanes = self.rays.lanes_mut();
+                let nothing = Lanes::splat(simd, f32::NEG_INFINITY);
+                origin.store(lanes.origin, at);
+                direction.store(lanes.direction, at);
+                zero.store_slice(&mut lanes.t_min[at..at + LANES]);
+                wanted.select(length, nothing).store_slice(&mut lanes.t_max[at..at + LANES]);
+            }
+        }
+        asked
+    }
+
+    /// Adds the light's share to the surfaces that it reaches.
+    #[inline(always)]
+    fn add<S: Simd>(&self, simd: S, light: &CompiledLight, surfaces: &SurfaceBatch, colors: &mut Colors) {
+        for (group, &blocked) in self.blocked.words().iter().enumerate() {
+            let at = group * LANES;
+            let reached = !blocked & surfaces.hit[group];
+            if reached == 0 {
+                continue;
+            }
+            let mask = LaneMask::from_bitmask(simd, u64::from(reached));
+            let diffuse = Lanes::from_slice(simd, &self.diffuse[at..at + LANES]);
+            let specular = Lanes::from_slice(simd, &self.specular[at..at + LANES]);
+            let base = Vec3Lanes::load(simd, views(&surfaces.base), at);
+            let before = Vec3Lanes::load(simd, views(&colors.0), at);
+            let after = limited(simd, before + share(simd, base, (diffuse, specular), light));
+            Vec3Lanes::select(mask, after, before).store(parts(&mut colors.0), at);
+        }
+    }
+}
+
+/// The surfaces from `at` on, as the lighting sum wants them.
+#[inline(always)]
+pub(crate) fn lit_point<S: Simd>(simd: S, rays: &RayBatch, surfaces: &SurfaceBatch, at: usize) -> LitPoint<S> {
+    let direction = Vec3Lanes::load(simd, [rays.direction(0), rays.direction(1), rays.direction(2)], at);
+    LitPoint {
+        position: Vec3Lanes::load(simd, views(&surfaces.position), at),
+        normal: Vec3Lanes::load(simd, views(&surfaces.normal), at),
+        to_viewer: -direction,
+        highlight: Lanes::from_slice(simd, &surfaces.highlight[at..at + LANES]),
+        exponent: Lanes::from_slice(simd, &surfaces.exponent[at..at + LANES]),
+    }
+}
+
+/// Makes the mirror rays of the surfaces that mirror anything, in the order of the rays they come from.
+#[inline(always)]
+fn send_mirrors<S: Simd>(simd: S, rays: &RayBatch, surfaces: &SurfaceBatch, wave: &mut Wave, next: &mut RayBatch) {
+    let zero = Lanes::splat(simd, 0.0);
+    for (group, &hit) in surfaces.hit.iter().enumerate() {
+        let at = group * LANES;
+        if hit == 0 {
+            continue;
+        }
+        let reflection = Lanes::from_slice(simd, &surfaces.reflection[at..at + LANES]);
+        let mirrors = reflection.simd_gt(zero) & LaneMask::from_bitmask(simd, u64::from(hit));
+        let mut bits = mirrors.to_bitmask();
+        if bits == 0 {
+            continue;
+        }
+        let (origin, direction) = mirror_rays(simd, surfaces, rays, at);
+        while bits != 0 {
+            let lane = bits.trailing_zeros() as usize;
+            bits &= bits - 1;
+            next.push(&Ray::new(origin.lane(lane), direction.lane(lane)));
+            #[allow(clippy::cast_possible_truncation, reason = "a batch has far fewer than 2^32 rays")]
+            wave.mirrors.push(((at + lane) as u32, surfaces.reflection[at + lane]));
+        }
+    }
+}

@@ -1,0 +1,103 @@
+//! From camera rays to colours.
+
+mod camera;
+pub(crate) mod classic;
+mod debug;
+
+pub use camera::Lens;
+
+use crate::compiled::CompiledScene;
+use crate::math::lanes::LANES;
+use crate::math::ray::RayBatch;
+use fearless_simd::Level;
+
+/// What a picture shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Integrator {
+    /// Backward (Whitted) ray tracing: shadows, mirrors, the lighting model of the scene.
+    #[default]
+    Classic,
+    /// The direction of the shading normal, `(n + 1) / 2` as red, green, blue.
+    Normal,
+    /// The distance along the ray: white at the eye, half grey at the scene's own size, black far away.
+    Depth,
+    /// One colour for each object.
+    Objects,
+    /// The work of finding the first hit: boxes visited (red) and shapes tested (green), 64 of either being full.
+    Cost,
+}
+
+impl Integrator {
+    /// Every integrator, in the order of help texts.
+    pub const ALL: [Self; 5] = [Self::Classic, Self::Normal, Self::Depth, Self::Objects, Self::Cost];
+
+    /// The word for it on the command line.
+    #[must_use]
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Classic => "classic",
+            Self::Normal => "normal",
+            Self::Depth => "depth",
+            Self::Objects => "objects",
+            Self::Cost => "cost",
+        }
+    }
+
+    /// The integrator of that word.
+    #[must_use]
+    pub fn from_word(word: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|i| i.word() == word)
+    }
+}
+
+/// Colours of a batch of rays, in lanes as the batch is.
+#[derive(Debug, Default)]
+pub(crate) struct Colors(pub(crate) [Vec<f32>; 3]);
+
+impl Colors {
+    /// Makes room for `len` colours; what they are is not said.
+    pub(crate) fn resize(&mut self, len: usize) {
+        for list in &mut self.0 {
+            list.resize(len.next_multiple_of(LANES), 0.0);
+        }
+    }
+
+    /// Colour `index`.
+    pub(crate) fn get(&self, index: usize) -> [f32; 3] {
+        [self.0[0][index], self.0[1][index], self.0[2][index]]
+    }
+
+    /// Replaces colour `index`.
+    pub(crate) fn set(&mut self, index: usize, color: [f32; 3]) {
+        for (list, value) in self.0.iter_mut().zip(color) {
+            list[index] = value;
+        }
+    }
+}
+
+/// An integrator with the memory that it works in; each thread has its own.
+#[derive(Debug)]
+pub(crate) struct Tracer<'a> {
+    scene: &'a CompiledScene,
+    level: Level,
+    integrator: Integrator,
+    classic: classic::Waves,
+    debug: debug::Views,
+}
+
+impl<'a> Tracer<'a> {
+    /// A tracer of paths of at most `depth` surfaces.
+    pub(crate) fn new(scene: &'a CompiledScene, level: Level, integrator: Integrator, depth: u32) -> Self {
+        Self { scene, level, integrator, classic: classic::Waves::new(depth), debug: debug::Views::default() }
+    }
+
+    /// Works out the colour of every ray of the batch and answers with the number of rays traced for it.
+    pub(crate) fn trace(&mut self, rays: &mut RayBatch, colors: &mut Colors) -> u64 {
+        colors.resize(rays.len());
+        if self.integrator == Integrator::Classic {
+            self.classic.trace(self.scene, self.level, rays, colors)
+        } else {
+            self.debug.trace(self.scene, self.level, self.integrator, rays, colors)
+        }
+    }
+}

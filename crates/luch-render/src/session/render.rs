@@ -1,0 +1,180 @@
+//! Renders a job to the end: threads that take tiles until none is left.
+
+use super::job::{Crop, RenderJob};
+use super::progress::Progress;
+use super::scheduler::{RenderWork, Scheduler};
+use crate::compiled::CompiledScene;
+use crate::film::Film;
+use crate::integrator::{Colors, Lens, Tracer};
+use crate::math::ray::RayBatch;
+use std::fmt;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread;
+
+/// Why there is no picture.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum RenderError {
+    /// Somebody asked to stop.
+    Cancelled,
+    /// The crop lies outside the picture.
+    EmptyCrop,
+    /// The system gives no thread.
+    NoThread(String),
+    /// A bug of the renderer: a thread panicked while it made this tile.
+    Internal {
+        /// The tile.
+        tile: Crop,
+        /// What the panic said.
+        message: String,
+    },
+}
+
+impl fmt::Display for RenderError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Cancelled => write!(f, "stopped"),
+            Self::EmptyCrop => write!(f, "the crop lies outside the picture"),
+            Self::NoThread(reason) => write!(f, "the system gives no thread to render with: {reason}"),
+            Self::Internal { tile: Crop { x, y, width, height }, message } => {
+                write!(f, "internal error in the tile of {width}x{height} pixels at {x},{y}: {message}")
+            }
+        }
+    }
+}
+
+impl std::error::Error for RenderError {}
+
+/// Renders the job and answers with the finished picture.
+///
+/// Uses `job.threads` threads of its own and waits for them; `progress` may be watched and cancelled meanwhile.
+///
+/// # Errors
+/// [`RenderError`]; the picture made so far is dropped.
+pub fn render(scene: &CompiledScene, job: &RenderJob, progress: &Progress) -> Result<Film, RenderError> {
+    let pixels = job.pixels().ok_or(RenderError::EmptyCrop)?;
+    let samples = job.rays_per_pixel();
+    let scheduler = Scheduler::new(pixels, job.tile_size, samples);
+    progress.begin(u64::from(pixels.width) * u64::from(pixels.height) * u64::from(samples));
+    let film = Mutex::new(Film::new(pixels, samples));
+    let failure = Mutex::new(None);
+    let next = AtomicUsize::new(0);
+    let work = || {
+        let mut worker = Worker::new(scene, job);
+        while let Some(work) = scheduler.work(next.fetch_add(1, Ordering::Relaxed)) {
+            match catch_unwind(AssertUnwindSafe(|| worker.tile(&work, progress))) {
+                Ok(true) => lock(&film).put(work.tile, &worker.sums),
+                Ok(false) => return,
+                Err(panic) => {
+                    // The other threads stop at their next sample; the first failure is the one told.
+                    let message = message_of(panic.as_ref());
+                    lock(&failure).get_or_insert(RenderError::Internal { tile: work.tile, message });
+                    progress.cancel();
+                    return;
+                }
+            }
+        }
+    };
+    run_on_threads(job.threads.clamp(1, scheduler.len().max(1)), &work)?;
+    if let Some(error) = lock(&failure).take() {
+        return Err(error);
+    }
+    if progress.is_cancelled() {
+        return Err(RenderError::Cancelled);
+    }
+    Ok(film.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner))
+}
+
+/// Runs the same work on some named threads and waits for them. If the system gives fewer, those do it.
+fn run_on_threads(threads: usize, work: &(impl Fn() + Sync)) -> Result<(), RenderError> {
+    thread::scope(|scope| {
+        for number in 0..threads {
+            let spawned = thread::Builder::new().name(format!("luch-render-{number}")).spawn_scoped(scope, work);
+            if let Err(error) = spawned
+                && number == 0
+            {
+                return Err(RenderError::NoThread(error.to_string()));
+            }
+        }
+        Ok(())
+    })
+}
+
+/// The lock, whether or not a thread panicked while it held it: what it guards is replaced whole.
+fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
+}
+
+fn message_of(panic: &(dyn std::any::Any + Send)) -> String {
+    let text = panic.downcast_ref::<&str>().map(|s| (*s).to_owned());
+    text.or_else(|| panic.downcast_ref::<String>().cloned()).unwrap_or_else(|| "no message".to_owned())
+}
+
+/// One thread's tracer and memory.
+struct Worker<'a> {
+    lens: Lens,
+    tracer: Tracer<'a>,
+    level: fearless_simd::Level,
+    /// The pixels of the tile in the order of their rays, and the place of each in `sums`.
+    pixels: Vec<[u32; 2]>,
+    places: Vec<usize>,
+    rays: RayBatch,
+    colors: Colors,
+    sums: Vec<f32>,
+}
+
+impl<'a> Worker<'a> {
+    fn new(scene: &'a CompiledScene, job: &RenderJob) -> Self {
+        let level = job.simd.level_or_best();
+        Self {
+            lens: Lens::new(&job.camera, job.size, job.antialiasing.on, job.depth_of_field.on),
+            tracer: Tracer::new(scene, level, job.integrator, job.depth),
+            level,
+            pixels: Vec::new(),
+            places: Vec::new(),
+            rays: RayBatch::new(),
+            colors: Colors::default(),
+            sums: Vec::new(),
+        }
+    }
+
+    /// Renders a tile into `self.sums`; `false` if it was cancelled.
+    fn tile(&mut self, work: &RenderWork, progress: &Progress) -> bool {
+        self.order_pixels(work.tile);
+        self.sums.clear();
+        self.sums.resize(self.pixels.len() * 3, 0.0);
+        for sample in work.first_sample..work.first_sample + work.samples {
+            if progress.is_cancelled() {
+                return false;
+            }
+            self.lens.rays(self.level, &self.pixels, sample, &mut self.rays);
+            let traced = self.tracer.trace(&mut self.rays, &mut self.colors);
+            for (index, &place) in self.places.iter().enumerate() {
+                let color = self.colors.get(index);
+                for (sum, value) in self.sums[place..place + 3].iter_mut().zip(color) {
+                    *sum += value;
+                }
+            }
+            progress.add(self.pixels.len() as u64, traced);
+        }
+        true
+    }
+
+    /// Lists the tile's pixels in blocks of 8x8, each in blocks of 4x4, so that rays side by side lie side by side.
+    fn order_pixels(&mut self, tile: Crop) {
+        self.pixels.clear();
+        self.places.clear();
+        let blocks = |length: u32, side: u32| (0..length.div_ceil(side)).map(move |i| i * side);
+        for big in blocks(tile.height, 8).flat_map(|y| blocks(tile.width, 8).map(move |x| [x, y])) {
+            for small in [[0, 0], [4, 0], [0, 4], [4, 4]] {
+                for y in (big[1] + small[1]..(big[1] + small[1] + 4).min(tile.height)).take(4) {
+                    for x in (big[0] + small[0]..(big[0] + small[0] + 4).min(tile.width)).take(4) {
+                        self.pixels.push([tile.x + x, tile.y + y]);
+                        self.places.push((y * tile.width + x) as usize * 3);
+                    }
+                }
+            }
+        }
+    }
+}

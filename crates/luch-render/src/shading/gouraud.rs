@@ -1,0 +1,70 @@
+//! Gouraud shading: light worked out at the vertices of the face and blended over it (Gouraud, "Continuous Shading of
+//! Curved Surfaces", 1971). Shadows are still tested at the hit point.
+
+use super::gather::Gathered;
+use super::terms::{LightTerms, LitPoint};
+use crate::compiled::{CompiledLight, CompiledScene};
+use crate::math::lanes::{LANES, LaneMask, Lanes, Vec3Lanes};
+use crate::math::ray::{HitBatch, RayBatch};
+use fearless_simd::prelude::*;
+
+/// The vertices of sixteen faces, as the lighting sum wants them.
+pub(crate) struct Faces<S: Simd> {
+    /// Vertex k of each face, with its normal turned to the side of the face that the ray comes from.
+    pub(crate) vertices: [LitPoint<S>; 3],
+    /// How much of each vertex there is in the hit point.
+    pub(crate) weights: [Lanes<S>; 3],
+}
+
+impl<S: Simd> Faces<S> {
+    /// The faces of the hits from `at` on; `facing` is the true face's normal on the ray's side.
+    #[inline(always)]
+    pub(crate) fn of(
+        simd: S,
+        scene: &CompiledScene,
+        rays: &RayBatch,
+        hits: &HitBatch,
+        at: usize,
+        facing: Vec3Lanes<S>,
+    ) -> Self {
+        let facts = Gathered::of(scene, hits, at);
+        let corners = facts.world_vertices(simd);
+        let normals = facts.world_normals(simd);
+        let zero = Lanes::splat(simd, 0.0);
+        let opposed = (normals[0] + normals[1] + normals[2]).dot(facing).simd_lt(zero);
+        let viewer = Vec3Lanes::load(simd, [rays.origin(0), rays.origin(1), rays.origin(2)], at);
+        let vertices = std::array::from_fn(|k| {
+            let turned = Vec3Lanes::select(opposed, -normals[k], normals[k]);
+            let usable = turned.dot(turned).simd_gt(zero);
+            LitPoint {
+                position: corners[k],
+                normal: Vec3Lanes::select(usable, turned, facing).unit_or_zero(simd),
+                to_viewer: (viewer - corners[k]).unit_or_zero(simd),
+                highlight: Lanes::load_array_ref(simd, &facts.highlight),
+                exponent: Lanes::load_array_ref(simd, &facts.exponent),
+            }
+        });
+        let u = Lanes::from_slice(simd, &hits.u[at..at + LANES]);
+        let v = Lanes::from_slice(simd, &hits.v[at..at + LANES]);
+        Self { vertices, weights: [Lanes::splat(simd, 1.0) - u - v, u, v] }
+    }
+
+    /// Diffuse and specular of a light, blended from the vertices, in the lanes of `gouraud`; elsewhere as they were.
+    #[inline(always)]
+    pub(crate) fn blend(
+        &self,
+        simd: S,
+        gouraud: u16,
+        (light, attenuation): (&CompiledLight, f32),
+        (diffuse, specular): (Lanes<S>, Lanes<S>),
+    ) -> (Lanes<S>, Lanes<S>) {
+        let terms = self.vertices.map(|vertex| LightTerms::at(simd, &vertex, light, attenuation));
+        let [a, b, c] = self.weights;
+        let blend = |of: [Lanes<S>; 3]| of[0] * a + of[1] * b + of[2] * c;
+        let lanes = LaneMask::from_bitmask(simd, u64::from(gouraud));
+        (
+            lanes.select(blend(terms.map(|t| t.diffuse)), diffuse),
+            lanes.select(blend(terms.map(|t| t.specular)), specular),
+        )
+    }
+}

@@ -11,14 +11,13 @@ use super::mesh::{Face, Mesh, index};
 use super::simplify::{Budget, simplify};
 use super::zip::{Corner, zip};
 
-/// Faces whose side differs from the field's normal by more than this (a cosine) make a crease.
-const CREASE_COS: f64 = 0.82;
-
 /// Contours `field` above the body's rim, zips it on, simplifies it and gives it normals.
+///
+/// Where a face leans more than `crease` degrees from the field's normal the edge is sharp.
 ///
 /// The field must continue the body's outline around the rim, and the rim must lie one cell or more below `grid.min.y`.
 #[must_use]
-pub fn attach(body: Turned, field: &dyn Field, grid: &Grid, budget: Budget) -> Mesh {
+pub fn attach(body: Turned, field: &dyn Field, grid: &Grid, budget: Budget, crease: f64) -> Mesh {
     let Turned { mut mesh, rim } = body;
     let head = contour(field, grid);
 
@@ -39,7 +38,7 @@ pub fn attach(body: Turned, field: &dyn Field, grid: &Grid, budget: Budget) -> M
     let ids: Vec<u32> = (0..simple.positions.len())
         .map(|i| if i < rim_count { rim[i].v } else { mesh.add_position(simple.positions[i]) })
         .collect();
-    let corners = normals(field, &simple, rim_count, &rim, &mut mesh);
+    let corners = normals(field, &simple, crease, &rim, &mut mesh);
     mesh.faces.extend(simple.triangles.iter().zip(corners).map(|(t, n)| Face { v: t.map(|i| ids[i as usize]), n }));
     mesh
 }
@@ -84,7 +83,9 @@ fn boundary(triangles: &[[u32; 3]], positions: &[DVec3], first: u32) -> Vec<Corn
 }
 
 /// A normal for every corner: the field's gradient, or, at a crease, the mean of the faces on the same side of it.
-fn normals(field: &dyn Field, surface: &Surface, rim_count: usize, rim: &[Corner], mesh: &mut Mesh) -> Vec<[u32; 3]> {
+fn normals(field: &dyn Field, surface: &Surface, crease: f64, rim: &[Corner], mesh: &mut Mesh) -> Vec<[u32; 3]> {
+    let rim_count = rim.len();
+    let crease = libm::cos(crease.to_radians());
     let area = |t: &[u32; 3]| {
         let [a, b, c] = t.map(|i| surface.positions[i as usize]);
         (b - a).cross(c - a)
@@ -103,7 +104,7 @@ fn normals(field: &dyn Field, surface: &Surface, rim_count: usize, rim: &[Corner
         } else {
             field.gradient(surface.positions[v]).normalize_or_zero()
         };
-        let agrees = |f: u32| sides[f as usize].normalize_or_zero().dot(smooth) > CREASE_COS;
+        let agrees = |f: u32| sides[f as usize].normalize_or_zero().dot(smooth) > crease;
         if faces.iter().all(|(f, _)| agrees(*f)) {
             let n = if v < rim_count { rim[v].n } else { mesh.add_normal(smooth) };
             for (f, k) in faces {
@@ -116,7 +117,7 @@ fn normals(field: &dyn Field, surface: &Surface, rim_count: usize, rim: &[Corner
             let mean: DVec3 = faces
                 .iter()
                 .map(|(g, _)| sides[*g as usize])
-                .filter(|s| s.normalize_or_zero().dot(side) > CREASE_COS)
+                .filter(|s| s.normalize_or_zero().dot(side) > crease)
                 .sum();
             corners[*f as usize][usize::from(*k)] = mesh.add_normal(mean.normalize_or_zero());
         }

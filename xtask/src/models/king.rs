@@ -6,7 +6,7 @@ use super::contour::Grid;
 use super::head::attach;
 use super::lathe::turn;
 use super::mesh::Mesh;
-use super::mouldings::{base, base_top, collar};
+use super::mouldings::{base, base_top, collar, stem};
 use super::profile::Profile;
 use super::sdf::{smooth_max, smooth_min, turned};
 use super::simplify::Budget;
@@ -20,14 +20,9 @@ const ARM: f64 = 4.6;
 
 /// The stem and the crown, up to the collar under the cross.
 fn crown() -> Profile {
-    let (r, y) = base_top(RADIUS);
-    let path = base(RADIUS).curve((r - 5.6, y + 2.4), (7.2, y + 11.0), (6.3, 40.0)).curve(
-        (5.9, 47.0),
-        (6.0, 52.0),
-        (6.8, 57.0),
-    );
-    collar(path, 6.7, 57.0, 11.8, 1.0)
-        .curve((6.9, 69.5), (9.8, 75.5), (10.7, 79.0))
+    let path = stem(base(RADIUS), base_top(RADIUS), (5.5, 46.0), (6.4, 57.0));
+    collar(path, 6.2, 57.0, 11.8, 1.0)
+        .curve((6.2, 70.0), (9.2, 75.0), (10.7, 79.0))
         .line(11.2, 79.2)
         .arc(11.0, 80.9, 0.6)
         .line(10.2, 81.1)
@@ -40,7 +35,7 @@ pub fn build() -> Mesh {
     let neck = Profile::from(2.8, 84.2).line(2.8, 84.6).arc(2.5, 86.2, 0.55).line(0.0, 86.9);
     let field = |p: DVec3| smooth_min(turned(p, &neck), cross(p - DVec3::Y * CROSS), 0.5);
     let grid = Grid { min: DVec3::new(-7.0, 85.0, -7.0), max: DVec3::new(7.0, 97.0, 7.0), cell: 0.11 };
-    attach(turn(&crown()), &field, &grid, Budget { triangles: 7000, error: 0.02 })
+    attach(turn(&crown()), &field, &grid, Budget { triangles: 6000, error: 0.02 }, 35.0)
 }
 
 /// A cross pattee in the xy plane: four arms that widen outwards with hollow sides, edges rounded.

@@ -20,7 +20,8 @@ fn segments(radius: f64) -> usize {
         r if r < 1e-6 => 1,
         r if r < 0.4 => 12,
         r if r < 1.6 => 24,
-        r if r < 5.0 => 48,
+        r if r < 4.2 => 48,
+        r if r < 9.0 => 72,
         _ => 96,
     }
 }

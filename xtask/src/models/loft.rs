@@ -64,7 +64,6 @@ impl Channel {
 pub struct Loft {
     channels: [Channel; 5],
     seeds: Vec<DVec2>,
-    power: f64,
 }
 
 /// Seeds per section for the search of the nearest spine point.
@@ -82,9 +81,9 @@ pub struct Nearest {
 }
 
 impl Loft {
-    /// Makes a limb. `power` 2 gives elliptic sections, more gives fuller ones.
+    /// Makes a limb. Its sections are superellipses of power 2.5, a little fuller than ellipses.
     #[must_use]
-    pub fn new(sections: &[Section], power: f64) -> Self {
+    pub fn new(sections: &[Section]) -> Self {
         let channel = |f: fn(&Section) -> f64| Channel::new(sections.iter().map(f).collect());
         let channels =
             [channel(|s| s.at.x), channel(|s| s.at.y), channel(|s| s.depth), channel(|s| s.width), channel(|s| s.lean)];
@@ -95,7 +94,7 @@ impl Loft {
                 DVec2::new(channels[0].eval(t)[0], channels[1].eval(t)[0])
             })
             .collect();
-        Self { channels, seeds, power }
+        Self { channels, seeds }
     }
 
     /// The spine at t: the point and the tangent.
@@ -148,10 +147,9 @@ impl Loft {
         let width = width * (1.0 + lean * (nearest.across / depth).clamp(-1.3, 1.3));
         // The section is the unit ball of a norm; its value less one over its slope is nearly the distance.
         let (u, v) = (nearest.offset.length() / depth, aside.abs() / width);
-        let n = self.power;
-        let (un, vn) = (libm::pow(u, n - 1.0), libm::pow(v, n - 1.0));
-        let f = libm::pow(un * u + vn * v, 1.0 / n).max(1e-6);
-        let scale = libm::pow(f, 1.0 - n);
+        let (un, vn) = (u * libm::sqrt(u), v * libm::sqrt(v));
+        let f = libm::pow(un * u + vn * v, 0.4).max(1e-6);
+        let scale = 1.0 / (f * libm::sqrt(f));
         let slope = libm::hypot(un * scale / depth, vn * scale / width);
         (f - 1.0) / slope.max(1e-3)
     }

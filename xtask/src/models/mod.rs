@@ -6,12 +6,15 @@
 
 pub mod bishop;
 pub mod contour;
+pub mod face;
 pub mod field;
 pub mod head;
+pub mod horse;
 pub mod king;
 pub mod knight;
 pub mod lathe;
 pub mod loft;
+pub mod mane;
 pub mod mesh;
 pub mod mouldings;
 pub mod obj;

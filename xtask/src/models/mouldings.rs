@@ -29,6 +29,15 @@ pub fn base(radius: f64) -> Profile {
         .line(r, y)
 }
 
+/// The stem: from its foot (see [`base_top`]) in a long hollow curve to the waist and gently out again to the neck; points
+/// are (radius, height).
+#[must_use]
+pub fn stem(path: Profile, foot: (f64, f64), waist: (f64, f64), neck: (f64, f64)) -> Profile {
+    let (lower, upper) = (waist.1 - foot.1, neck.1 - waist.1);
+    path.curve((foot.0 - 0.6 * (foot.0 - waist.0), foot.1 + 0.1 * lower), (waist.0, foot.1 + 0.42 * lower), waist)
+        .curve((waist.0, waist.1 + 0.45 * upper), (waist.0 + 0.3 * (neck.0 - waist.0), waist.1 + 0.75 * upper), neck)
+}
+
 /// A collar: a small bead, a wide thin disc, a small bead, from neck radius `neck` at height `y`; ends at the top bead.
 #[must_use]
 pub fn collar(path: Profile, neck: f64, y: f64, disc: f64, k: f64) -> Profile {

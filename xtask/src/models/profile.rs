@@ -8,9 +8,9 @@ use glam::DVec2;
 /// Tangents that differ by more than this (15 degrees, as a cosine) make a crease.
 const CREASE_COS: f64 = 0.966;
 /// The largest distance between the curve and its chords, millimetres.
-const SAGITTA: f64 = 0.008;
+const SAGITTA: f64 = 0.012;
 /// The largest turn between two samples, radians.
-const MAX_TURN: f64 = 0.32;
+const MAX_TURN: f64 = 0.34;
 
 /// A point of the sampled outline with the outward normals of the pieces below and above it (equal where smooth).
 #[derive(Clone, Copy, Debug)]
@@ -194,6 +194,15 @@ impl Profile {
         self.segments.push(Segment::Curve([self.at, c1.into(), c2.into(), to]));
         self.at = to;
         self
+    }
+
+    /// The part of [`Self::curve`] from its start to parameter `t` (de Casteljau's split).
+    #[must_use]
+    pub fn curve_until(self, t: f64, c1: (f64, f64), c2: (f64, f64), to: (f64, f64)) -> Self {
+        let [a, b, c, d] = [self.at, c1.into(), c2.into(), to.into()];
+        let (ab, bc, cd) = (a.lerp(b, t), b.lerp(c, t), c.lerp(d, t));
+        let (abc, bcd) = (ab.lerp(bc, t), bc.lerp(cd, t));
+        self.curve(ab.into(), abc.into(), abc.lerp(bcd, t).into())
     }
 
     /// An arc of the circle around (0, `y`) through the current point up to its top on the axis: a ball.

@@ -47,5 +47,5 @@ pub fn build() -> Mesh {
     };
     let field = |p: DVec3| carve(turned(p, &outline), slots(p), 0.5);
     let grid = Grid { min: DVec3::new(-13.5, 46.2, -13.5), max: DVec3::new(13.5, 58.0, 13.5), cell: 0.16 };
-    attach(turn(&tower()), &field, &grid, Budget { triangles: 12000, error: 0.02 })
+    attach(turn(&tower()), &field, &grid, Budget { triangles: 12000, error: 0.02 }, 35.0)
 }

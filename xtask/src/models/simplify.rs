@@ -21,6 +21,15 @@ pub struct Budget {
     pub error: f64,
 }
 
+/// Faces lower than this (millimetres) are removed at the end.
+const LOW: f64 = 0.012;
+/// Weight of smeared shading against the displacement squared.
+const SHADING: f64 = 0.006;
+/// Edges shorter than this (millimetres) are always worth collapsing.
+const SHORT: f64 = 0.02;
+/// The least height of a face over its longest side that a collapse may leave.
+const SLIM: f64 = 0.06;
+
 /// A sum of squared distances to planes, weighted by area: x'Ax - 2b'x + c.
 #[derive(Clone, Copy)]
 struct Quadric {
@@ -89,6 +98,8 @@ struct Work<'a> {
     alive: Vec<bool>,
     faces_of: Vec<Vec<u32>>,
     quadrics: Vec<Quadric>,
+    /// Unit normals of the field at the vertices.
+    normals: Vec<DVec3>,
     stamps: Vec<u32>,
     locked: usize,
 }
@@ -112,15 +123,19 @@ pub fn simplify(field: &dyn Field, surface: Surface, locked: usize, budget: Budg
             break;
         }
         let [u, v] = candidate.edge;
-        if [work.stamps[u as usize], work.stamps[v as usize]] != candidate.stamp || !work.is_allowed(u, v, candidate.to)
-        {
+        if [work.stamps[u as usize], work.stamps[v as usize]] != candidate.stamp {
             continue;
         }
-        count -= work.collapse(u, v, candidate.to);
+        let to = work.settle(u, v, candidate.to);
+        if !work.is_allowed(u, v, to) {
+            continue;
+        }
+        count -= work.collapse(u, v, to);
         for w in work.neighbours(u) {
             queue.extend(work.candidate(u.min(w), u.max(w)));
         }
     }
+    work.remove_needles();
     work.finish()
 }
 
@@ -140,7 +155,8 @@ impl<'a> Work<'a> {
         }
         let alive = vec![true; triangles.len()];
         let stamps = vec![0; positions.len()];
-        Self { field, positions, triangles, alive, faces_of, quadrics, stamps, locked }
+        let normals = positions.iter().map(|p| field.gradient(*p).normalize_or_zero()).collect();
+        Self { field, positions, triangles, alive, faces_of, quadrics, normals, stamps, locked }
     }
 
     fn is_locked(&self, v: u32) -> bool {
@@ -166,11 +182,30 @@ impl<'a> Work<'a> {
         } else {
             let middle = (pu + pv) * 0.5;
             let best = q.best(middle);
-            self.field.project(if best.distance(middle) < length { best } else { middle }, length)
+            if best.distance(middle) < length { best } else { middle }
         };
         // A little of the length keeps flat regions from collapsing into fans of needles.
-        let cost = q.error(to) + 1e-7 * length * length;
+        // What is shorter than a few file digits goes first.
+        let cost =
+            if length < SHORT { 0.0 } else { q.error(to) + 1e-7 * length * length + SHADING * self.shading(u, v, to) };
         Some(Candidate { cost, edge: [u, v], stamp: [self.stamps[u as usize], self.stamps[v as usize]], to })
+    }
+
+    /// How far a change of the normal would be smeared around the new vertex: the largest 1 - cos(angle) times length squared.
+    fn shading(&self, u: u32, v: u32, to: DVec3) -> f64 {
+        let normal = (self.normals[u as usize] + self.normals[v as usize]).normalize_or_zero();
+        let ring =
+            [u, v].into_iter().flat_map(|w| self.faces_of[w as usize].iter()).flat_map(|f| self.triangles[*f as usize]);
+        ring.map(|w| (1.0 - normal.dot(self.normals[w as usize])) * to.distance_squared(self.positions[w as usize]))
+            .fold(0.0, f64::max)
+    }
+
+    /// Puts the new vertex of edge (u, v) onto the field's surface; locked vertices stay.
+    fn settle(&self, u: u32, v: u32, to: DVec3) -> DVec3 {
+        if self.is_locked(u) || self.is_locked(v) {
+            return to;
+        }
+        self.field.project(to, self.positions[u as usize].distance(self.positions[v as usize]))
     }
 
     fn is_allowed(&self, u: u32, v: u32, to: DVec3) -> bool {
@@ -190,8 +225,11 @@ impl<'a> Work<'a> {
                 let old = t.map(|i| self.positions[i as usize]);
                 let new = t.map(|i| if i == moved { to } else { self.positions[i as usize] });
                 let (n0, n1) = ((old[1] - old[0]).cross(old[2] - old[0]), (new[1] - new[0]).cross(new[2] - new[0]));
-                let longest = (0..3).map(|i| new[i].distance_squared(new[(i + 1) % 3])).fold(0.0, f64::max);
-                n1.dot(n0) > 0.8 * n1.length() * n0.length() && n1.length() > 0.06 * longest
+                let longest = |t: [DVec3; 3]| (0..3).map(|i| t[i].distance_squared(t[(i + 1) % 3])).fold(0.0, f64::max);
+                let (slim0, slim1) = (n0.length() / longest(old).max(1e-12), n1.length() / longest(new).max(1e-12));
+                // A needle's own direction means little.
+                let turns = slim0 > SLIM && n1.dot(n0) < 0.8 * n1.length() * n0.length();
+                !turns && slim1 > SLIM.min(slim0)
             })
         })
     }
@@ -212,10 +250,40 @@ impl<'a> Work<'a> {
             }
         }
         self.positions[u as usize] = to;
+        self.normals[u as usize] = self.field.gradient(to).normalize_or_zero();
         self.quadrics[u as usize] = self.quadrics[u as usize].plus(self.quadrics[v as usize]);
         self.stamps[u as usize] += 1;
         self.stamps[v as usize] += 1;
         gone
+    }
+
+    /// Collapses an edge of each face that is lower than the file's digits can tell.
+    fn remove_needles(&mut self) {
+        for f in 0..self.triangles.len() {
+            if !self.alive[f] {
+                continue;
+            }
+            let t = self.triangles[f];
+            let p = t.map(|i| self.positions[i as usize]);
+            let sides: [f64; 3] = std::array::from_fn(|i| p[i].distance(p[(i + 1) % 3]));
+            let height = (p[1] - p[0]).cross(p[2] - p[0]).length() / sides.iter().copied().fold(1e-9, f64::max);
+            if height > LOW {
+                continue;
+            }
+            let mut edges = [0, 1, 2];
+            edges.sort_by(|a, b| sides[*a].total_cmp(&sides[*b]));
+            for i in edges {
+                let (u, v) = (t[i], t[(i + 1) % 3]);
+                let (u, v) = if self.is_locked(v) { (v, u) } else { (u, v) };
+                let (pu, pv) = (self.positions[u as usize], self.positions[v as usize]);
+                let targets = if self.is_locked(u) { [pu; 3] } else { [pu, pv, (pu + pv) * 0.5] };
+                let to = targets.into_iter().find(|to| !self.is_locked(v) && self.is_allowed(u, v, *to));
+                if let Some(to) = to {
+                    self.collapse(u, v, to);
+                    break;
+                }
+            }
+        }
     }
 
     /// Drops what vanished; the locked positions keep their indices.

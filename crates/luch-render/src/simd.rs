@@ -8,8 +8,8 @@ pub enum SimdLevel {
     /// The best that this machine has.
     #[default]
     Auto,
-    /// What every machine of the target has: SSE2 on x86-64, NEON on 64-bit ARM. The same generic code with no
-    /// instruction that must be asked for; the picture that all others must equal.
+    /// Plain scalar code in the ray queries, and in shading what every machine of the target has (SSE2 on x86-64): the
+    /// picture that all others must equal.
     Scalar,
     /// SSE4.2, 4 lanes.
     Sse42,
@@ -70,10 +70,7 @@ impl SimdLevel {
         let best = Level::new();
         match self {
             Self::Auto => Some(best),
-            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-            Self::Scalar => best.as_sse2().map(Level::Sse2),
-            #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
-            Self::Scalar => Some(best),
+            Self::Scalar => Some(Level::fallback()),
             #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
             Self::Sse42 => best.as_sse4_2().map(Level::Sse4_2),
             #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
@@ -91,6 +88,52 @@ impl SimdLevel {
     pub(crate) fn level_or_best(self) -> Level {
         self.level().unwrap_or_else(Level::new)
     }
+}
+
+/// Runs `$call` with the token of a level as `$simd`: what `fearless_simd::dispatch` does, for fewer levels.
+///
+/// Shading is much code in few places. Each level costs seconds of build time, and the emulation of sixteen lanes by
+/// arrays costs minutes, so levels below AVX2 share the target's baseline. The bits are the same at every level.
+macro_rules! shade_at {
+    ($level:expr, $simd:ident => $call:expr) => {
+        match $level {
+            #[cfg(target_arch = "x86_64")]
+            fearless_simd::Level::Avx512($simd) => fearless_simd::Simd::vectorize(
+                $simd,
+                #[inline(always)]
+                || $call,
+            ),
+            #[cfg(target_arch = "x86_64")]
+            fearless_simd::Level::Avx2($simd) => fearless_simd::Simd::vectorize(
+                $simd,
+                #[inline(always)]
+                || $call,
+            ),
+            _ => {
+                let $simd = crate::simd::baseline();
+                $call
+            }
+        }
+    };
+}
+pub(crate) use shade_at;
+
+/// The token of the instruction set that every machine of the target has.
+#[cfg(target_arch = "x86_64")]
+pub(crate) fn baseline() -> fearless_simd::Sse2 {
+    Level::new().as_sse2().unwrap_or_else(|| unreachable!("every x86-64 processor has SSE2"))
+}
+
+/// The token of the instruction set that every machine of the target has.
+#[cfg(target_arch = "aarch64")]
+pub(crate) fn baseline() -> fearless_simd::Neon {
+    Level::new().as_neon().unwrap_or_else(|| unreachable!("every 64-bit ARM processor has NEON"))
+}
+
+/// The token of the instruction set that every machine of the target has.
+#[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
+pub(crate) fn baseline() -> fearless_simd::Fallback {
+    fearless_simd::Fallback::new()
 }
 
 #[cfg(test)]

@@ -3,8 +3,9 @@
 use crate::math::lanes::{LANES, Lanes, Vec3Lanes};
 use crate::math::ray::RayBatch;
 use crate::sampler::{Use, sample_disk, sample_pair, sample_tent};
+use crate::simd::shade_at;
+use fearless_simd::Level;
 use fearless_simd::prelude::*;
-use fearless_simd::{Level, dispatch};
 use glam::Vec3;
 use luch_scene::{Camera, ImageSize};
 
@@ -52,7 +53,7 @@ impl Lens {
     /// Makes the rays of one sample of the pixels, given by column and row from the top left.
     pub(crate) fn rays(&self, level: Level, pixels: &[[u32; 2]], sample: u32, rays: &mut RayBatch) {
         rays.resize(pixels.len());
-        dispatch!(level, simd => self.fill(simd, pixels, sample, rays));
+        shade_at!(level, simd => self.fill(simd, pixels, sample, rays));
     }
 
     #[inline(always)]

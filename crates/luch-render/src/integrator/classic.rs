@@ -12,8 +12,9 @@ use crate::shading::gouraud::Faces;
 use crate::shading::spawn::{mirror_rays, shadow_rays};
 use crate::shading::surface::{SurfaceBatch, parts, views};
 use crate::shading::terms::{LightTerms, LitPoint, limited, share};
+use crate::simd::shade_at;
+use fearless_simd::Level;
 use fearless_simd::prelude::*;
-use fearless_simd::{Level, dispatch};
 
 /// The memory of a tracer, and the depth that it goes to.
 #[derive(Debug)]
@@ -105,22 +106,22 @@ impl Waves {
         scene.tree.closest_hits(level, &self.mirror, coherence, &mut self.hits);
         let mut traced = self.mirror.len() as u64;
         let (rays, hits, surfaces) = (&self.mirror, &self.hits, &mut self.surfaces);
-        dispatch!(level, simd => {
+        shade_at!(level, simd => {
             surfaces.fill(simd, scene, rays, hits);
             ambient(simd, scene, surfaces, &mut wave.colors);
         });
         for light in &scene.lights {
             let (surfaces, shadows) = (&self.surfaces, &mut self.shadows);
-            let asked = dispatch!(level, simd => shadows.ask(simd, scene, light, (rays, hits), surfaces));
+            let asked = shade_at!(level, simd => shadows.ask(simd, scene, light, (rays, hits), surfaces));
             if asked == 0 {
                 continue;
             }
             traced += asked;
             scene.tree.occluded(level, &shadows.rays, coherence, &mut shadows.blocked);
-            dispatch!(level, simd => shadows.add(simd, light, surfaces, &mut wave.colors));
+            shade_at!(level, simd => shadows.add(simd, light, surfaces, &mut wave.colors));
         }
         let next = &mut self.next;
-        dispatch!(level, simd => send_mirrors(simd, rays, surfaces_of(&self.surfaces), wave, next));
+        shade_at!(level, simd => send_mirrors(simd, rays, surfaces_of(&self.surfaces), wave, next));
         traced
     }
 
@@ -138,7 +139,7 @@ impl Waves {
     }
 }
 
-/// Gives the closure of `dispatch!` a plain reference to capture.
+/// Gives the closure of `shade_at!` a plain reference to capture.
 const fn surfaces_of(surfaces: &SurfaceBatch) -> &SurfaceBatch {
     surfaces
 }

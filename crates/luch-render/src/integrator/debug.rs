@@ -5,7 +5,8 @@ use crate::accel::CostBatch;
 use crate::compiled::CompiledScene;
 use crate::math::ray::{Coherence, HitBatch, RayBatch};
 use crate::shading::surface::SurfaceBatch;
-use fearless_simd::{Level, dispatch};
+use crate::simd::shade_at;
+use fearless_simd::Level;
 
 /// The memory of the debug views.
 #[derive(Debug, Default)]
@@ -35,7 +36,7 @@ impl Views {
         }
         let (hits, surfaces) = (&self.hits, &mut self.surfaces);
         if view == Integrator::Normal {
-            dispatch!(level, simd => surfaces.fill(simd, scene, rays, hits));
+            shade_at!(level, simd => surfaces.fill(simd, scene, rays, hits));
         }
         let half_depth = scene_size(scene);
         for index in 0..rays.len() {

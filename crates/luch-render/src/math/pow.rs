@@ -60,10 +60,10 @@ fn exp2<S: Simd>(simd: S, y: Lanes<S>) -> Lanes<S> {
 mod tests {
     use super::*;
     use crate::simd::SimdLevel;
-    use fearless_simd::dispatch;
+    use crate::simd::shade_at;
 
     fn pow16(level: SimdLevel, base: [f32; 16], exponent: f32) -> [f32; 16] {
-        dispatch!(level.level_or_best(), simd => {
+        shade_at!(level.level_or_best(), simd => {
             pow(simd, Lanes::load_array(simd, base), Lanes::splat(simd, exponent)).to_array()
         })
     }

@@ -26,6 +26,7 @@ pub mod built_in_models;
 pub mod builtin;
 pub mod error;
 pub mod library;
+pub mod load;
 pub mod model_scene;
 pub mod obj;
 pub mod picture;
@@ -33,8 +34,8 @@ pub mod report;
 pub mod resolve;
 pub mod scene_file;
 
-pub use builtin::SceneSource;
 pub use error::{Error, ErrorKind, Place, Result};
+pub use load::{SceneSource, load_scene};
 pub use picture::{Metadata, PictureFormat, Pixels, linear_hash, write_exr, write_png};
 pub use report::Report;
 pub use scene_file::{LoadMesh, parse_scene, read_scene, write_scene};

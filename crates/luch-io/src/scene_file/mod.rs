@@ -17,5 +17,4 @@ mod write;
 pub use framing::three_cameras;
 pub use parse::{LoadMesh, parse_scene, read_scene};
 pub use suggest::nearest;
-pub use text::MAX_TEXT;
 pub use write::write_scene;

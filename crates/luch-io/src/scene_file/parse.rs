@@ -3,9 +3,11 @@
 use super::framing::three_cameras;
 use super::objects::{RawObject, RawShape};
 use super::raw::{self, RawScene};
-use super::text::{SceneText, decode, read_bytes};
+use super::text::{SceneText, decode};
+use crate::budget::Budget;
 use crate::error::{Error, Place, Result};
 use crate::report::Report;
+use crate::resolve::{MAX_TEXT_BYTES, SceneFile};
 use luch_scene::{Aim, Camera, Light, Mesh, MeshInstance, Object, Scene, Shape};
 use std::collections::HashMap;
 use std::ops::Range;
@@ -21,7 +23,7 @@ pub type LoadMesh<'a> = dyn FnMut(&str, &mut Report) -> Result<Arc<Mesh>> + 'a;
 /// `Forbidden` if the file cannot be read, `Limit` if it is larger than 256 MiB, `Malformed` with line and column for
 /// what is wrong in it; and what `load_mesh` answers.
 pub fn read_scene(path: &Path, load_mesh: &mut LoadMesh<'_>, report: &mut Report) -> Result<Scene> {
-    let bytes = read_bytes(path)?;
+    let bytes = SceneFile::of_user(path)?.read(MAX_TEXT_BYTES, &mut Budget::default())?;
     parse_scene(&bytes, path, load_mesh, report)
 }
 

@@ -1,13 +1,8 @@
 //! The text of a scene file, and places in it.
 
 use crate::error::{Error, ErrorKind, Place, Result};
-use std::fs::File;
-use std::io::Read;
 use std::ops::Range;
 use std::path::Path;
-
-/// The largest scene file, in bytes.
-pub const MAX_TEXT: u64 = 256 << 20;
 
 /// The longest line that an error shows, in characters: a longer one would only flood the terminal.
 const SHOWN_LINE: usize = 160;
@@ -21,35 +16,6 @@ pub(crate) struct SceneText<'a> {
     pub(crate) file: &'a Path,
     /// What is in it, without the byte order mark.
     pub(crate) text: &'a str,
-}
-
-/// Reads a file of at most [`MAX_TEXT`] bytes.
-///
-/// # Errors
-/// `Forbidden` if it is missing, unreadable or no regular file; `Limit` if it is larger.
-pub(crate) fn read_bytes(path: &Path) -> Result<Vec<u8>> {
-    let forbidden = |e: &std::io::Error| Error::new(ErrorKind::Forbidden, path, format!("cannot be read: {e}"));
-    // Asked before opening: opening a FIFO would wait for a writer for ever.
-    let metadata = std::fs::metadata(path).map_err(|e| forbidden(&e))?;
-    if !metadata.is_file() {
-        let what = if metadata.is_dir() { "is a folder, not a file" } else { "is not a regular file" };
-        return Err(Error::new(ErrorKind::Forbidden, path, what));
-    }
-    let too_large = |size: u64| {
-        Error::new(ErrorKind::Limit, path, format!("the scene file has {size} bytes or more, the limit is {MAX_TEXT}"))
-            .hint("keep large geometry in a model file and name it with `mesh = \"model.obj\"`")
-    };
-    if metadata.len() > MAX_TEXT {
-        return Err(too_large(metadata.len()));
-    }
-    let mut bytes = Vec::new();
-    let file = File::open(path).map_err(|e| forbidden(&e))?;
-    // One byte more than allowed: the file may have grown since it was asked for its size.
-    file.take(MAX_TEXT.saturating_add(1)).read_to_end(&mut bytes).map_err(|e| forbidden(&e))?;
-    match u64::try_from(bytes.len()) {
-        Ok(size) if size <= MAX_TEXT => Ok(bytes),
-        _ => Err(too_large(MAX_TEXT)),
-    }
 }
 
 /// The text of the bytes, without a byte order mark.

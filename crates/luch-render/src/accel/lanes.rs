@@ -2,7 +2,7 @@
 //! of those lanes that were hit. Each has a portable form, which is the definition, and where it pays a native one.
 
 use fearless_simd::prelude::*;
-use fearless_simd::{Fallback, Simd, f32x16, mask32x16, u32x16};
+use fearless_simd::{Simd, f32x16, mask32x16, u32x16};
 
 /// Sixteen numbers of four bits, one per lane, laid out for a vector shift: lane `i` is nibble `i / 2` of the low word
 /// if `i` is even, of the high word if it is odd.
@@ -49,10 +49,10 @@ macro_rules! at_level {
             fearless_simd::Level::Avx512($simd) => $call,
             #[cfg(target_arch = "aarch64")]
             fearless_simd::Level::Neon($simd) => $call,
-            _ => {
-                let $simd = fearless_simd::Fallback::new();
-                $call
-            }
+            #[cfg(not(any(target_arch = "x86", target_arch = "x86_64", target_arch = "aarch64")))]
+            fearless_simd::Level::Fallback($simd) => $call,
+            #[allow(unreachable_patterns, reason = "the enum is open; these are all of its levels")]
+            _ => unreachable!("no such level on this target"),
         }
     };
 }
@@ -138,11 +138,10 @@ macro_rules! portable {
     )* };
 }
 
-portable!(Fallback);
+#[cfg(not(any(target_arch = "x86", target_arch = "x86_64", target_arch = "aarch64")))]
+portable!(fearless_simd::Fallback);
 #[cfg(target_arch = "aarch64")]
 portable!(fearless_simd::aarch64::Neon);
-#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
-portable!(fearless_simd::wasm32::WasmSimd128);
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 portable!(fearless_simd::x86::Sse2, fearless_simd::x86::Sse4_2);
 

@@ -1,6 +1,6 @@
 //! The tree over the triangles of one mesh.
 
-use super::build::{Item, Patches, binary_tree, level, reach, widen};
+use super::build::{Item, Patches, binary_tree, corners, level, reach, widen};
 use super::lanes::at_level;
 use super::nodes::{Link, Tree};
 use crate::math::bounds::Bounds;
@@ -46,8 +46,8 @@ impl MeshTree {
         let (root, depth) = widen(&binary.nodes, Link::leaf, &mut tree.nodes);
         (tree.root, tree.depth) = (Some(root), depth);
         (tree.leaves, tree.primitives) = binary.leaves.into_iter().unzip();
-        let all = &binary.nodes[0].bounds;
-        let bounds = Bounds { min: -Vec3::new(all[0], all[1], all[2]), max: Vec3::new(all[4], all[5], all[6]) };
+        tree.bounds = corners(&binary.nodes[0].bounds);
+        let bounds = Bounds { min: tree.bounds[0].into(), max: tree.bounds[1].into() };
         Self { tree: Arc::new(tree), bounds }
     }
 

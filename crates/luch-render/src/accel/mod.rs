@@ -8,6 +8,8 @@
 
 mod build;
 mod geometry;
+mod group;
+mod jobs;
 mod lanes;
 mod leaf_test;
 mod mesh_tree;

@@ -41,6 +41,16 @@ impl Link {
         self.0 >= Self::OBJECT
     }
 
+    /// The index, if it leads to a leaf.
+    pub(crate) const fn as_leaf(self) -> Option<usize> {
+        if self.0 & Self::LEAF != 0 && self.0 != Self::LEAVE_INSTANCE.0 {
+            Some((self.0 & !Self::LEAF) as usize)
+        } else {
+            None
+        }
+    }
+
+    /// What it leads to; the mark leads to no leaf that there is.
     pub(crate) const fn child(self) -> Child {
         if self.0 & Self::LEAF != 0 {
             Child::Leaf(self.0 & !Self::LEAF)
@@ -58,7 +68,8 @@ impl Link {
 pub(crate) struct Node {
     /// Lower, then upper planes, by axis, by child. A free slot has a box that is inside out: no ray meets it.
     pub(crate) planes: [[[f32; WIDTH]; 3]; 2],
-    pub(crate) child: [Link; WIDTH],
+    /// [`Link`]s as vectors load them.
+    pub(crate) child: [u32; WIDTH],
     /// For the four octants with a direction that is not negative along z: the slots near to far, in the order in which
     /// the binary splits below this node meet the ray. The opposite octant has the reverse.
     pub(crate) order: [Nibbles; 4],
@@ -70,7 +81,7 @@ pub(crate) struct Node {
 impl Node {
     pub(crate) const FREE: Self = Self {
         planes: [[[f32::MAX; WIDTH]; 3], [[-f32::MAX; WIDTH]; 3]],
-        child: [Link(0); WIDTH],
+        child: [0; WIDTH],
         order: [Nibbles::ZERO; 4],
         bounds: [[f32::MAX; 3], [-f32::MAX; 3]],
         count: 0,
@@ -109,6 +120,8 @@ pub(crate) struct Tree {
     pub(crate) root: Option<Link>,
     /// Nodes on the longest way down.
     pub(crate) depth: usize,
+    /// The box of the root, lower and upper corner.
+    pub(crate) bounds: [[f32; 3]; 2],
     /// The largest coordinate of any box, by size.
     pub(crate) reach: f32,
 }

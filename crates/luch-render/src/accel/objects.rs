@@ -1,9 +1,11 @@
 //! The objects of a scene as the kernels see them.
 
-use super::build::{Item, LeafMaker, binary_tree, level, pack, widen};
+use super::build::{Item, LeafMaker, binary_tree, corners, level, pack, widen};
 use super::geometry::{Geometry, ObjectFromWorld};
+use super::group::{Found, Group};
 use super::lanes::at_level;
 use super::nodes::{Link, Tree};
+use crate::math::ray::LANES;
 use std::sync::Arc;
 
 /// One object.
@@ -54,6 +56,23 @@ impl Objects {
     }
 }
 
+impl Objects {
+    /// Meets the shapes outside the tree.
+    #[inline(always)]
+    pub(crate) fn meet_always(&self, world: &Group, found: &mut Found) {
+        for &index in &self.always {
+            if let Object::Shape(shape) = &self.list[index as usize] {
+                for lane in 0..LANES {
+                    let ray = world.ray(lane, found.t[lane].next_up());
+                    if let Some((t, primitive)) = shape.intersect(&ray) {
+                        found.offer(lane, t, [0.0; 2], index, primitive);
+                    }
+                }
+            }
+        }
+    }
+}
+
 fn object(geometry: &Geometry) -> Object {
     match geometry {
         Geometry::Instance { tree, world_from_object } => match ObjectFromWorld::new(world_from_object) {
@@ -83,6 +102,7 @@ fn tree_of(items: Vec<Item>) -> Tree {
     }
     tree.reach = super::build::reach(&items);
     let binary = at_level!(level(), simd => binary_tree(simd, items, &OneEach, 1));
+    tree.bounds = corners(&binary.nodes[0].bounds);
     let (root, depth) = widen(&binary.nodes, |leaf| Link::object(binary.leaves[leaf as usize]), &mut tree.nodes);
     (tree.root, tree.depth) = (Some(root), depth);
     tree

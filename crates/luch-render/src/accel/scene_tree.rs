@@ -2,11 +2,13 @@
 
 use super::Level;
 use super::geometry::Geometry;
+use super::jobs::{Any, Closest, Counted};
 use super::lanes::at_level;
-use super::objects::{Object, Objects};
-use super::single::{self, Job};
+use super::objects::Objects;
+use super::single::{self, Scratch};
 use crate::math::bounds::Bounds;
-use crate::math::ray::{Coherence, Hit, HitBatch, Mask, Ray, RayBatch};
+use crate::math::ray::{Coherence, HitBatch, Mask, RayBatch};
+use std::cell::RefCell;
 
 /// Work done per ray, for the cost view.
 #[derive(Clone, Debug, Default)]
@@ -41,16 +43,16 @@ impl SceneTree {
     pub fn closest_hits(&self, level: Level, rays: &RayBatch, coherence: Coherence, hits: &mut HitBatch) {
         let _ = coherence;
         hits.reset(rays.len());
-        let mut job = Closest { tree: self, rays, hits, next: 0 };
-        at_level!(level, simd => single::trace(simd, &self.objects, &mut job));
+        let mut job = Closest { objects: &self.objects, rays, hits, next: 0 };
+        with_scratch(|scratch| at_level!(level, simd => single::trace(simd, &self.objects, scratch, &mut job)));
     }
 
     /// Whether anything lies in the open interval of each ray. `occluded` gets the length of `rays`.
     pub fn occluded(&self, level: Level, rays: &RayBatch, coherence: Coherence, occluded: &mut Mask) {
         let _ = coherence;
         occluded.reset(rays.len());
-        let mut job = Any { tree: self, rays, occluded, next: 0 };
-        at_level!(level, simd => single::trace(simd, &self.objects, &mut job));
+        let mut job = Any { objects: &self.objects, rays, occluded, next: 0 };
+        with_scratch(|scratch| at_level!(level, simd => single::trace(simd, &self.objects, scratch, &mut job)));
     }
 
     /// Like [`SceneTree::closest_hits`], and counts the work of each ray. Slower; a debug view's.
@@ -60,108 +62,15 @@ impl SceneTree {
             counts.clear();
             counts.resize(rays.len(), 0);
         }
-        let mut job = Counted { closest: Closest { tree: self, rays, hits, next: 0 }, cost };
-        at_level!(level, simd => single::trace(simd, &self.objects, &mut job));
-    }
-
-    /// The nearest hit with the shapes outside the tree.
-    fn closest_always(&self, ray: &Ray) -> Option<Hit> {
-        let mut best: Option<Hit> = None;
-        for &object in &self.objects.always {
-            if let Object::Shape(shape) = &self.objects.list[object as usize]
-                && let Some((t, primitive)) = shape.intersect(ray)
-                && best.is_none_or(|old| (t, object, primitive) < (old.t, old.object, old.primitive))
-            {
-                best = Some(Hit { t, u: 0.0, v: 0.0, object, primitive });
-            }
-        }
-        best
+        let mut job = Counted { closest: Closest { objects: &self.objects, rays, hits, next: 0 }, cost };
+        with_scratch(|scratch| at_level!(level, simd => single::trace(simd, &self.objects, scratch, &mut job)));
     }
 }
 
-struct Closest<'a> {
-    tree: &'a SceneTree,
-    rays: &'a RayBatch,
-    hits: &'a mut HitBatch,
-    next: usize,
-}
-
-impl Job for Closest<'_> {
-    const ANY: bool = false;
-    const COUNT: bool = false;
-
-    #[inline(always)]
-    fn next(&mut self) -> Option<(usize, Ray, Option<Hit>)> {
-        let name = self.next;
-        self.next += 1;
-        (name < self.rays.len()).then(|| {
-            let ray = self.rays.get(name);
-            (name, ray, self.tree.closest_always(&ray))
-        })
+/// Hands out the thread's own scratch memory.
+fn with_scratch(use_it: impl FnOnce(&mut Scratch)) {
+    thread_local! {
+        static SCRATCH: RefCell<Box<Scratch>> = RefCell::new(Box::new(Scratch::new()));
     }
-
-    #[inline(always)]
-    fn done(&mut self, name: usize, hit: Option<Hit>) {
-        self.hits.set(name, hit);
-    }
-
-    fn count(&mut self, _name: usize, _nodes: u32, _primitives: u32) {}
-}
-
-struct Any<'a> {
-    tree: &'a SceneTree,
-    rays: &'a RayBatch,
-    occluded: &'a mut Mask,
-    next: usize,
-}
-
-impl Job for Any<'_> {
-    const ANY: bool = true;
-    const COUNT: bool = false;
-
-    #[inline(always)]
-    fn next(&mut self) -> Option<(usize, Ray, Option<Hit>)> {
-        loop {
-            let name = self.next;
-            if name >= self.rays.len() {
-                return None;
-            }
-            self.next += 1;
-            let ray = self.rays.get(name);
-            if self.tree.closest_always(&ray).is_none() {
-                return Some((name, ray, None));
-            }
-            self.occluded.set(name, true);
-        }
-    }
-
-    #[inline(always)]
-    fn done(&mut self, name: usize, hit: Option<Hit>) {
-        self.occluded.set(name, hit.is_some());
-    }
-
-    fn count(&mut self, _name: usize, _nodes: u32, _primitives: u32) {}
-}
-
-struct Counted<'a> {
-    closest: Closest<'a>,
-    cost: &'a mut CostBatch,
-}
-
-impl Job for Counted<'_> {
-    const ANY: bool = false;
-    const COUNT: bool = true;
-
-    fn next(&mut self) -> Option<(usize, Ray, Option<Hit>)> {
-        self.closest.next()
-    }
-
-    fn done(&mut self, name: usize, hit: Option<Hit>) {
-        self.closest.done(name, hit);
-    }
-
-    fn count(&mut self, name: usize, nodes: u32, primitives: u32) {
-        self.cost.nodes[name] += nodes;
-        self.cost.primitives[name] += primitives;
-    }
+    SCRATCH.with_borrow_mut(|scratch| use_it(scratch));
 }

@@ -5,71 +5,75 @@
 //! inner node one node further, the next every ray at a leaf through that leaf. Steps of different rays do not depend on
 //! each other, so the processor overlaps them, and there is no branch on whether a ray is at a node or a leaf.
 
+use super::group::{Found, Group};
 use super::lanes::Wide;
-use super::leaf_test::{self, Frame};
+use super::leaf_test;
 use super::nodes::{Child, Link, Tree, WIDTH};
 use super::objects::{Object, Objects};
-use super::slabs::Slabs;
-use crate::math::ray::{Hit, NO_OBJECT, Ray};
+use crate::math::ray::{LANES, NO_OBJECT};
 use fearless_simd::f32x16;
 use fearless_simd::prelude::*;
 use fearless_simd::u32x16;
 
-/// Rays in flight: enough to cover a miss to main memory, few enough for their stacks to stay in the first cache.
-const FLIGHT: usize = 32;
+/// Groups of rays in flight at most.
+const POOL: usize = 8;
+/// Rays in flight at most.
+const FLIGHT: usize = POOL * LANES;
+/// With this many rays in flight or fewer, the next group starts: enough for the steps to overlap.
+const ENOUGH: usize = 48;
 
-/// Where rays come from and hits go.
+/// Where groups of rays come from and answers go.
 pub(crate) trait Job {
     /// Any hit will do.
     const ANY: bool;
-    /// Whether the counts are wanted.
+    /// Whether [`Job::count`] is wanted.
     const COUNT: bool;
 
-    /// The next ray and what is known of its nearest hit, and a name for it.
-    fn next(&mut self) -> Option<(usize, Ray, Option<Hit>)>;
-    fn done(&mut self, name: usize, hit: Option<Hit>);
-    fn count(&mut self, name: usize, nodes: u32, primitives: u32);
+    /// Loads the next group and what is known of its hits; its name, and a bit for each ray to trace.
+    fn next<S: Wide>(&mut self, simd: S, world: &mut Group, found: &mut Found) -> Option<(usize, u32)>;
+    /// Takes the answers of a group.
+    fn done<S: Wide>(&mut self, simd: S, name: usize, found: &Found);
+    /// Takes the work done for one ray.
+    fn count(&mut self, name: usize, lane: usize, nodes: u32, primitives: u32);
 }
 
-/// What a ray looks like in the space it is in.
-#[derive(Clone, Copy)]
-struct Walk<'a> {
-    slabs: Slabs,
-    frame: Frame,
-    tree: &'a Tree,
-    /// The instance the ray is in.
-    object: u32,
-}
-
-/// A ray in flight.
-struct Flyer<'a> {
-    walk: Walk<'a>,
-    name: usize,
-    depth: usize,
-    hit: Hit,
-    ray: Ray,
-}
-
-pub(crate) fn trace<S: Wide, J: Job>(simd: S, objects: &Objects, job: &mut J) {
-    simd.vectorize(
-        #[inline(always)]
-        || Flight::new(objects).run(simd, job),
-    );
-}
-
-struct Flight<'a> {
-    objects: &'a Objects,
-    flyers: Vec<Flyer<'a>>,
-    /// Stacks, `capacity` entries each.
+/// Memory of the kernel, kept between calls: zeroing it costs more than tracing a few rays.
+#[derive(Debug)]
+pub(crate) struct Scratch {
+    /// Rays in world space, and in that of the instance they are in.
+    groups: [[Group; POOL]; 2],
+    found: [Found; POOL],
+    /// Stacks, `capacity` entries for each ray.
     child: Vec<u32>,
     near: Vec<f32>,
-    capacity: usize,
+}
+
+impl Scratch {
+    pub(crate) fn new() -> Self {
+        Self {
+            groups: std::array::from_fn(|_| std::array::from_fn(|_| Group::NOTHING)),
+            found: std::array::from_fn(|_| Found::NOTHING),
+            child: Vec::new(),
+            near: Vec::new(),
+        }
+    }
+}
+
+/// A ray in flight. Its slot, `16 * group + lane`, says where the rest of it lies.
+#[derive(Clone, Copy)]
+struct Flyer<'a> {
+    tree: &'a Tree,
+    /// Entries on its stack.
+    depth: usize,
+    /// The instance it is in, and 1; or 0 in world space.
+    object: u32,
+    space: usize,
 }
 
 /// Some of the rays in flight. Appending is free of branches.
 struct List {
     /// Twice as long as the list: an append that does not count still writes.
-    slots: [u32; 2 * FLIGHT],
+    slots: [u8; 2 * FLIGHT],
     len: usize,
 }
 
@@ -78,112 +82,158 @@ impl List {
 
     #[inline(always)]
     fn push_if(&mut self, condition: bool, slot: usize) {
-        self.slots[self.len & (2 * FLIGHT - 1)] = slot as u32;
+        self.slots[self.len & (2 * FLIGHT - 1)] = slot as u8;
         self.len += usize::from(condition);
+    }
+
+    #[inline(always)]
+    fn get(&self, k: usize) -> usize {
+        usize::from(self.slots[k & (FLIGHT - 1)]) & (FLIGHT - 1)
     }
 }
 
-impl<'a> Flight<'a> {
-    fn new(objects: &'a Objects) -> Self {
-        let capacity = objects.stack_capacity;
-        Self {
-            objects,
-            flyers: Vec::with_capacity(FLIGHT),
-            child: vec![0; capacity * FLIGHT],
-            near: vec![0.0; capacity * FLIGHT],
-            capacity,
-        }
-    }
+/// No way on. Ends like a leaf.
+const DONE: Link = Link(0x7fff_ffff);
 
+pub(crate) fn trace<S: Wide, J: Job>(simd: S, objects: &Objects, scratch: &mut Scratch, job: &mut J) {
+    let Some(root) = objects.tree.root else { return finish_all(simd, scratch, job) };
+    let entries = objects.stack_capacity * FLIGHT;
+    if scratch.child.len() < entries {
+        scratch.child.resize(entries, 0);
+        scratch.near.resize(entries, 0.0);
+    }
+    let flyer = Flyer { tree: &objects.tree, depth: 0, object: NO_OBJECT, space: 0 };
+    let mut flight = Flight { objects, scratch, flyers: [flyer; FLIGHT], capacity: objects.stack_capacity, root };
+    simd.vectorize(
+        #[inline(always)]
+        || flight.run(simd, job),
+    );
+}
+
+/// There is no tree: what is known already is the answer.
+fn finish_all<S: Wide, J: Job>(simd: S, scratch: &mut Scratch, job: &mut J) {
+    let Scratch { groups: [[world, ..], _], found: [found, ..], .. } = scratch;
+    while let Some((name, _)) = job.next(simd, world, found) {
+        job.done(simd, name, found);
+    }
+}
+
+struct Flight<'a> {
+    objects: &'a Objects,
+    scratch: &'a mut Scratch,
+    flyers: [Flyer<'a>; FLIGHT],
+    capacity: usize,
+    root: Link,
+}
+
+impl<'a> Flight<'a> {
     #[inline(always)]
     fn run<S: Wide, J: Job>(&mut self, simd: S, job: &mut J) {
-        let Some(root) = self.objects.tree.root else {
-            while let Some((name, _, hit)) = job.next() {
-                job.done(name, hit);
+        let (mut at_node, mut at_end) = (List::EMPTY, List::EMPTY);
+        // Of each group in flight its name, and how many of its rays are not done.
+        let mut names = [0; POOL];
+        let mut left = [0_u32; POOL];
+        let mut more = true;
+        loop {
+            while more && at_node.len + at_end.len <= ENOUGH {
+                let Some(pool) = left.iter().position(|&rays| rays == 0) else { break };
+                let Some((name, rays)) = self.start(simd, pool, job) else {
+                    more = false;
+                    break;
+                };
+                (names[pool], left[pool]) = (name, rays.count_ones());
+                if rays == 0 {
+                    job.done(simd, name, &self.scratch.found[pool]);
+                }
+                let mut bits = rays;
+                while bits != 0 {
+                    let slot = pool * LANES + bits.trailing_zeros() as usize;
+                    bits &= bits - 1;
+                    let top = self.top(slot);
+                    at_node.push_if(!top.ends(), slot);
+                    at_end.push_if(top.ends(), slot);
+                }
             }
-            return;
-        };
-        let mut at_node = List::EMPTY;
-        let mut at_leaf = List::EMPTY;
-        for slot in 0..FLIGHT {
-            if !self.start(slot, root, job) {
-                break;
+            if at_node.len + at_end.len == 0 {
+                return;
             }
-            at_node.push_if(!root.ends(), slot);
-            at_leaf.push_if(root.ends(), slot);
-        }
-        while at_node.len + at_leaf.len > 0 {
-            let mut next_node = List::EMPTY;
+            let (mut next_node, mut next_end) = (List::EMPTY, List::EMPTY);
             let mut finished = List::EMPTY;
             for k in 0..at_node.len {
-                let slot = at_node.slots[k & (FLIGHT - 1)] as usize;
-                let top = self.step_node(simd, slot, job);
-                next_node.push_if(!top.ends() & (top != DONE), slot);
-                at_leaf.push_if(top.ends() & (top != DONE), slot);
+                let slot = at_node.get(k);
+                let top = self.step_node(simd, slot, &names, job);
+                next_node.push_if(!top.ends(), slot);
+                at_end.push_if(top.ends() & (top != DONE), slot);
                 finished.push_if(top == DONE, slot);
             }
-            let mut next_leaf = List::EMPTY;
-            for k in 0..at_leaf.len {
-                let slot = at_leaf.slots[k & (FLIGHT - 1)] as usize;
-                let top = self.step_end(simd, slot, job);
-                next_node.push_if(!top.ends() & (top != DONE), slot);
-                next_leaf.push_if(top.ends() & (top != DONE), slot);
+            for k in 0..at_end.len {
+                let slot = at_end.get(k);
+                let top = self.step_end(simd, slot, &names, job);
+                next_node.push_if(!top.ends(), slot);
+                next_end.push_if(top.ends() & (top != DONE), slot);
                 finished.push_if(top == DONE, slot);
             }
             for k in 0..finished.len {
-                let slot = finished.slots[k & (FLIGHT - 1)] as usize;
-                let flyer = &self.flyers[slot];
-                job.done(flyer.name, (flyer.hit.object != NO_OBJECT).then_some(flyer.hit));
-                if self.start(slot, root, job) {
-                    next_node.push_if(!root.ends(), slot);
-                    next_leaf.push_if(root.ends(), slot);
+                let pool = finished.get(k) / LANES;
+                left[pool] -= 1;
+                if left[pool] == 0 {
+                    job.done(simd, names[pool], &self.scratch.found[pool]);
                 }
             }
-            (at_node, at_leaf) = (next_node, next_leaf);
+            (at_node, at_end) = (next_node, next_end);
         }
     }
 
-    /// Puts the next ray into a slot; false if there is none.
+    /// Starts the next group in a free place of the pool.
     #[inline(always)]
-    fn start<J: Job>(&mut self, slot: usize, root: Link, job: &mut J) -> bool {
-        let Some((name, ray, known)) = job.next() else { return false };
-        let nothing = Hit { t: ray.t_max.next_down(), u: 0.0, v: 0.0, object: NO_OBJECT, primitive: NO_OBJECT };
-        let hit = known.unwrap_or(nothing);
-        let (origin, direction) = (ray.origin, ray.direction);
-        let tree = &self.objects.tree;
-        let walk = Walk {
-            slabs: Slabs::new(origin.to_array(), direction.to_array(), ray.t_min, hit.t, tree.reach),
-            frame: Frame::new(origin, direction),
-            tree,
-            object: NO_OBJECT,
-        };
-        let flyer = Flyer { walk, name, depth: 1, hit, ray };
-        if slot == self.flyers.len() {
-            self.flyers.push(flyer);
+    fn start<S: Wide, J: Job>(&mut self, simd: S, pool: usize, job: &mut J) -> Option<(usize, u32)> {
+        let Scratch { groups: [world, object], found, child, near } = &mut *self.scratch;
+        let (world, found) = (&mut world[pool], &mut found[pool]);
+        let (name, mut rays) = job.next(simd, world, found)?;
+        let mut flyer = Flyer { tree: &self.objects.tree, depth: 1, object: NO_OBJECT, space: 0 };
+        let mut root = self.root;
+        if let Child::Object(index) = root.child()
+            && let Object::Instance { tree, inverse } = &self.objects.list[index as usize]
+            && let Some(top) = tree.root
+        {
+            // A scene of one mesh: all rays enter it at once.
+            let group = &mut object[pool];
+            group.load_transformed(simd, world, inverse);
+            group.prepare(simd, tree.reach);
+            flyer = Flyer { tree, depth: 1, object: index, space: 1 };
+            root = top;
+            rays &= group.meet(simd, &tree.bounds, &found.t).1.to_bitmask() as u32;
         } else {
-            self.flyers[slot] = flyer;
+            world.prepare(simd, self.objects.tree.reach);
+            rays &= world.meet(simd, &self.objects.tree.bounds, &found.t).1.to_bitmask() as u32;
         }
-        self.child[slot * self.capacity] = root.0;
-        self.near[slot * self.capacity] = f32::NEG_INFINITY;
-        true
+        for lane in 0..LANES {
+            let slot = pool * LANES + lane;
+            self.flyers[slot] = flyer;
+            child[slot * self.capacity] = root.0;
+            near[slot * self.capacity] = f32::NEG_INFINITY;
+        }
+        Some((name, rays))
     }
 
     /// Takes a ray whose stack has an inner node on top through that node. Returns the new top.
     #[inline(always)]
-    fn step_node<S: Wide, J: Job>(&mut self, simd: S, slot: usize, job: &mut J) -> Link {
+    fn step_node<S: Wide, J: Job>(&mut self, simd: S, slot: usize, names: &[usize; POOL], job: &mut J) -> Link {
         let flyer = &mut self.flyers[slot];
-        let top = slot * self.capacity + flyer.depth - 1;
-        let node = &flyer.walk.tree.nodes[self.child[top] as usize];
+        let (pool, lane) = (slot / LANES, slot % LANES);
+        let Scratch { groups, found, child, near } = &mut *self.scratch;
+        let at = slot * self.capacity + flyer.depth - 1;
+        let node = &flyer.tree.nodes[child[at] as usize];
         if J::COUNT {
-            job.count(flyer.name, 1, 0);
+            job.count(names[pool], lane, 1, 0);
         }
-        let (near, mask) = flyer.walk.slabs.meet(simd, node);
-        let child = u32x16::load_array(simd, node.child.map(|link| link.0));
-        let order = node.near_to_far(!flyer.walk.slabs.octant);
-        let to_child: &mut [u32; WIDTH] = (&mut self.child[top..top + WIDTH]).try_into().expect("a whole vector");
-        let to_near: &mut [f32; WIDTH] = (&mut self.near[top..top + WIDTH]).try_into().expect("a whole vector");
-        let pushed = simd.push_hit(child, near, mask, order, to_child, to_near);
-        flyer.depth += pushed;
+        let slabs = groups[flyer.space & 1][pool].slabs(lane, found[pool].t[lane]);
+        let (enter, mask) = slabs.meet(simd, node);
+        let links = u32x16::load_array_ref(simd, &node.child);
+        let order = node.near_to_far(!slabs.octant);
+        let to_child: &mut [u32; WIDTH] = (&mut child[at..at + WIDTH]).try_into().expect("a whole vector");
+        let to_near: &mut [f32; WIDTH] = (&mut near[at..at + WIDTH]).try_into().expect("a whole vector");
+        flyer.depth += simd.push_hit(links, enter, mask, order, to_child, to_near);
         flyer.depth -= 1;
         self.top(slot)
     }
@@ -193,123 +243,102 @@ impl<'a> Flight<'a> {
     fn top(&self, slot: usize) -> Link {
         let depth = self.flyers[slot].depth;
         // Read first, decide after: no branch.
-        let top = self.child[(slot * self.capacity + depth).saturating_sub(1)];
+        let top = self.scratch.child[(slot * self.capacity + depth).saturating_sub(1)];
         if depth == 0 { DONE } else { Link(top) }
     }
 
     /// Takes a ray whose stack has something else on top through that. Returns the new top.
     #[inline(always)]
-    fn step_end<S: Wide, J: Job>(&mut self, simd: S, slot: usize, job: &mut J) -> Link {
+    fn step_end<S: Wide, J: Job>(&mut self, simd: S, slot: usize, names: &[usize; POOL], job: &mut J) -> Link {
         let flyer = &mut self.flyers[slot];
+        let (pool, lane) = (slot / LANES, slot % LANES);
         flyer.depth -= 1;
-        let link = Link(self.child[slot * self.capacity + flyer.depth]);
-        if let Child::Leaf(index) = link.child()
-            && link != Link::LEAVE_INSTANCE
-        {
-            let walk = &flyer.walk;
-            let leaf = &walk.tree.leaves[index as usize];
-            if J::COUNT {
-                job.count(flyer.name, 0, leaf.count);
-            }
-            if let Some(met) = leaf_test::meet(simd, leaf, &walk.frame, walk.slabs.t_min, flyer.hit.t) {
-                if J::ANY {
-                    flyer.hit.object = walk.object;
-                    flyer.depth = 0;
-                    return DONE;
-                }
-                let none = f32x16::splat(simd, f32::INFINITY);
-                let nearest = met.mask.select(met.t, none).reduce_min();
-                let mut ties = (met.mask & met.t.simd_eq(f32x16::splat(simd, nearest))).to_bitmask() as u32;
-                let primitives = &walk.tree.primitives[index as usize];
-                let mut lane = ties.trailing_zeros() as usize & (WIDTH - 1);
-                while ties & (ties - 1) != 0 {
-                    ties &= ties - 1;
-                    let other = ties.trailing_zeros() as usize & (WIDTH - 1);
-                    if primitives[other] < primitives[lane] {
-                        lane = other;
-                    }
-                }
-                let (u, v) = (met.u[lane], met.v[lane]);
-                let hit = Hit { t: nearest, u, v, object: walk.object, primitive: primitives[lane] };
-                self.offer(slot, hit);
-            }
-            return self.top(slot);
+        let link = Link(self.scratch.child[slot * self.capacity + flyer.depth]);
+        let Some(index) = link.as_leaf() else { return self.step_object(slot, link, names, job) };
+        let leaf = &flyer.tree.leaves[index];
+        if J::COUNT {
+            job.count(names[pool], lane, 0, leaf.count);
         }
-        self.step_object(slot, link, job)
+        let group = &self.scratch.groups[flyer.space & 1][pool];
+        let found = &mut self.scratch.found[pool];
+        if let Some(met) = leaf_test::meet(simd, leaf, &group.frame(lane), group.t_min[lane], found.t[lane]) {
+            if J::ANY {
+                found.object[lane] = flyer.object;
+                flyer.depth = 0;
+                return DONE;
+            }
+            let none = f32x16::splat(simd, f32::INFINITY);
+            let nearest = met.mask.select(met.t, none).reduce_min();
+            let mut ties = (met.mask & met.t.simd_eq(f32x16::splat(simd, nearest))).to_bitmask() as u32;
+            let primitives = &flyer.tree.primitives[index];
+            let mut best = ties.trailing_zeros() as usize & (WIDTH - 1);
+            while ties & ties.wrapping_sub(1) != 0 {
+                ties &= ties - 1;
+                let other = ties.trailing_zeros() as usize & (WIDTH - 1);
+                if primitives[other] < primitives[best] {
+                    best = other;
+                }
+            }
+            if found.offer(lane, nearest, [met.u[best], met.v[best]], flyer.object, primitives[best]) {
+                self.drop_behind(slot, nearest);
+            }
+        }
+        self.top(slot)
     }
 
     /// The rare ends: an object of the scene, or the way out of one.
     #[inline(never)]
-    fn step_object<J: Job>(&mut self, slot: usize, link: Link, job: &mut J) -> Link {
+    fn step_object<J: Job>(&mut self, slot: usize, link: Link, names: &[usize; POOL], job: &mut J) -> Link {
         let flyer = &mut self.flyers[slot];
-        let base = slot * self.capacity;
+        let (pool, lane, base) = (slot / LANES, slot % LANES, slot * self.capacity);
+        let Scratch { groups: [world, object], found, child, near } = &mut *self.scratch;
         let Child::Object(index) = link.child() else {
-            // Back from an instance: the world looks as at the start.
-            let (ray, tree) = (flyer.ray, &self.objects.tree);
-            let (o, d) = (ray.origin.to_array(), ray.direction.to_array());
-            flyer.walk.slabs = Slabs::new(o, d, ray.t_min, flyer.hit.t, tree.reach);
-            flyer.walk.tree = tree;
+            (flyer.tree, flyer.object, flyer.space) = (&self.objects.tree, NO_OBJECT, 0);
             return self.top(slot);
         };
+        let ray = world[pool].ray(lane, found[pool].t[lane].next_up());
         match &self.objects.list[index as usize] {
             Object::Instance { tree, inverse } => {
                 let Some(root) = tree.root else { return self.top(slot) };
-                if flyer.depth > 0 {
-                    self.child[base + flyer.depth] = Link::LEAVE_INSTANCE.0;
-                    self.near[base + flyer.depth] = f32::NEG_INFINITY;
+                for link in [Link::LEAVE_INSTANCE, root] {
+                    child[base + flyer.depth] = link.0;
+                    near[base + flyer.depth] = f32::NEG_INFINITY;
                     flyer.depth += 1;
                 }
-                self.child[base + flyer.depth] = root.0;
-                self.near[base + flyer.depth] = f32::NEG_INFINITY;
-                flyer.depth += 1;
-                let ray = inverse.ray(&flyer.ray);
-                let (o, d) = (ray.origin, ray.direction);
-                flyer.walk = Walk {
-                    slabs: Slabs::new(o.to_array(), d.to_array(), ray.t_min, flyer.hit.t, tree.reach),
-                    frame: Frame::new(o, d),
-                    tree,
-                    object: index,
-                };
+                object[pool].set(lane, &inverse.ray(&ray), tree.reach);
+                (flyer.tree, flyer.object, flyer.space) = (tree, index, 1);
             }
             Object::Shape(shape) => {
                 if J::COUNT {
-                    job.count(flyer.name, 0, 1);
+                    job.count(names[pool], lane, 0, 1);
                 }
-                if let Some((t, primitive)) = shape.intersect(&flyer.ray) {
+                if let Some((t, primitive)) = shape.intersect(&ray) {
                     if J::ANY {
-                        flyer.hit.object = index;
+                        found[pool].object[lane] = index;
                         flyer.depth = 0;
                         return DONE;
                     }
-                    self.offer(slot, Hit { t, u: 0.0, v: 0.0, object: index, primitive });
+                    if found[pool].offer(lane, t, [0.0; 2], index, primitive) {
+                        self.drop_behind(slot, t);
+                    }
                 }
             }
         }
         self.top(slot)
     }
 
-    /// Takes a hit if it is nearer, and drops from the stack what lies behind it.
+    /// Drops from a ray's stack what lies behind its hit. Then a pop never meets anything stale.
     #[inline(always)]
-    fn offer(&mut self, slot: usize, hit: Hit) {
-        let flyer = &mut self.flyers[slot];
-        let old = &flyer.hit;
-        let wins = hit.t < old.t || hit.t == old.t && (hit.object, hit.primitive) < (old.object, old.primitive);
-        if !wins {
-            return;
-        }
-        flyer.hit = hit;
-        flyer.walk.slabs.t_max = hit.t;
-        let base = slot * self.capacity;
+    fn drop_behind(&mut self, slot: usize, t: f32) {
+        let (base, depth) = (slot * self.capacity, self.flyers[slot].depth);
+        let near = &mut self.scratch.near[base..base + depth];
+        let child = &mut self.scratch.child[base..base + depth];
         let mut kept = 0;
-        for k in 0..flyer.depth {
-            let near = self.near[base + k];
-            self.near[base + kept] = near;
-            self.child[base + kept] = self.child[base + k];
-            kept += usize::from(near <= hit.t);
+        for k in 0..depth {
+            let (distance, link) = (near[k], child[k]);
+            (near[kept], child[kept]) = (distance, link);
+            kept += usize::from(distance <= t);
         }
-        flyer.depth = kept;
+        self.flyers[slot].depth = kept;
     }
 }
-
-/// No way on.
-const DONE: Link = Link(0x7fff_ffff);

@@ -331,4 +331,10 @@ impl Mask {
     pub fn words(&self) -> &[u16] {
         &self.words
     }
+
+    /// Replaces word `k`; bits beyond the length stay false.
+    pub(crate) fn set_word(&mut self, k: usize, word: u16) {
+        let bits = self.len - k * LANES;
+        self.words[k] = if bits < LANES { word & ((1 << bits) - 1) } else { word };
+    }
 }

@@ -39,8 +39,9 @@ impl ShearedRay {
             0
         };
         let (kx, ky) = ((kz + 1) % 3, (kz + 2) % 3);
-        let z = direction[kz];
-        Self { kz, kx, ky, shear: [direction[kx] / z, direction[ky] / z, 1.0 / z] }
+        let scale = 1.0 / direction[kz];
+        // Products, not quotients: any shear will do that is the same for all triangles.
+        Self { kz, kx, ky, shear: [direction[kx] * scale, direction[ky] * scale, scale] }
     }
 }
 

@@ -24,6 +24,11 @@ const DEEPEST_BY_COST: usize = 40;
 /// The box that grows to whatever is added.
 pub(crate) const NOTHING: Packed = [f32::NEG_INFINITY; 8];
 
+/// The lower and the upper corner.
+pub(crate) fn corners(bounds: &Packed) -> [[f32; 3]; 2] {
+    [[0, 1, 2].map(|axis| -bounds[axis]), [0, 1, 2].map(|axis| bounds[4 + axis])]
+}
+
 /// A node of the binary tree.
 #[derive(Clone, Debug)]
 pub(crate) struct Binary {

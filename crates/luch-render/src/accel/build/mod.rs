@@ -4,7 +4,7 @@ mod binary;
 mod leaves;
 mod widen;
 
-pub(crate) use binary::{Item, binary_tree};
+pub(crate) use binary::{Item, binary_tree, corners};
 pub(crate) use leaves::Patches;
 pub(crate) use widen::widen;
 

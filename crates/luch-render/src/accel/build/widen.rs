@@ -1,6 +1,6 @@
 //! Wide nodes from a binary tree.
 
-use super::binary::{Binary, LEAF, half_area};
+use super::binary::{Binary, LEAF, corners, half_area};
 use crate::accel::lanes::Nibbles;
 use crate::accel::nodes::{Link, Node, WIDTH};
 
@@ -38,14 +38,14 @@ pub(crate) fn widen(binary: &[Binary], leaf: impl Fn(u32) -> Link, nodes: &mut V
                 node.planes[0][axis][slot] = -bounds[axis];
                 node.planes[1][axis][slot] = bounds[4 + axis];
             }
-            node.child[slot] = link(child).unwrap_or_else(|| {
+            let to = link(child).unwrap_or_else(|| {
                 nodes.push(Node::FREE);
                 waiting.push((child, nodes.len() - 1, level + 1));
                 Link::node(nodes.len() as u32 - 1)
             });
+            node.child[slot] = to.0;
         }
-        let bounds = &binary[top as usize].bounds;
-        node.bounds = [[0, 1, 2].map(|axis| -bounds[axis]), [0, 1, 2].map(|axis| bounds[4 + axis])];
+        node.bounds = corners(&binary[top as usize].bounds);
         nodes[here] = node;
     }
     (Link::node(0), depth)

@@ -4,32 +4,46 @@ use super::group::{Found, Group};
 use super::lanes::Wide;
 use super::objects::Objects;
 use super::scene_tree::CostBatch;
-use super::single::Job;
 use crate::math::ray::{HitBatch, LANES, Mask, NO_OBJECT, RayBatch};
+
+/// Where groups of rays come from and answers go.
+pub(crate) trait Job {
+    /// Any hit will do.
+    const ANY: bool;
+    /// Whether [`Job::count`] is wanted.
+    const COUNT: bool;
+
+    /// How many groups there are; their names are the numbers below.
+    fn groups(&self) -> usize;
+    /// Loads a group and what is known of its hits; a bit for each ray to trace.
+    fn load<S: Wide>(&mut self, simd: S, name: usize, world: &mut Group, found: &mut Found) -> u32;
+    /// Takes the answers of a group.
+    fn done<S: Wide>(&mut self, simd: S, name: usize, found: &Found);
+    /// Takes the work done for one ray.
+    fn count(&mut self, name: usize, lane: usize, nodes: u32, primitives: u32);
+}
 
 /// The nearest hit of every ray.
 pub(crate) struct Closest<'a> {
     pub(crate) objects: &'a Objects,
     pub(crate) rays: &'a RayBatch,
     pub(crate) hits: &'a mut HitBatch,
-    pub(crate) next: usize,
 }
 
 impl Job for Closest<'_> {
     const ANY: bool = false;
     const COUNT: bool = false;
 
+    fn groups(&self) -> usize {
+        self.rays.padded_len() / LANES
+    }
+
     #[inline(always)]
-    fn next<S: Wide>(&mut self, simd: S, world: &mut Group, found: &mut Found) -> Option<(usize, u32)> {
-        let k = self.next;
-        if k * LANES >= self.rays.len() {
-            return None;
-        }
-        self.next += 1;
-        world.load(self.rays, k);
-        found.reset(simd, self.rays, k);
+    fn load<S: Wide>(&mut self, simd: S, name: usize, world: &mut Group, found: &mut Found) -> u32 {
+        world.load(self.rays, name);
+        found.reset(simd, self.rays, name);
         self.objects.meet_always(world, found);
-        Some((k, 0xffff))
+        0xffff
     }
 
     #[inline(always)]
@@ -45,24 +59,22 @@ pub(crate) struct Any<'a> {
     pub(crate) objects: &'a Objects,
     pub(crate) rays: &'a RayBatch,
     pub(crate) occluded: &'a mut Mask,
-    pub(crate) next: usize,
 }
 
 impl Job for Any<'_> {
     const ANY: bool = true;
     const COUNT: bool = false;
 
+    fn groups(&self) -> usize {
+        self.rays.padded_len() / LANES
+    }
+
     #[inline(always)]
-    fn next<S: Wide>(&mut self, simd: S, world: &mut Group, found: &mut Found) -> Option<(usize, u32)> {
-        let k = self.next;
-        if k * LANES >= self.rays.len() {
-            return None;
-        }
-        self.next += 1;
-        world.load(self.rays, k);
-        found.reset(simd, self.rays, k);
+    fn load<S: Wide>(&mut self, simd: S, name: usize, world: &mut Group, found: &mut Found) -> u32 {
+        world.load(self.rays, name);
+        found.reset(simd, self.rays, name);
         self.objects.meet_always(world, found);
-        Some((k, u32::from(!occluded_word(found))))
+        u32::from(!occluded_word(found))
     }
 
     #[inline(always)]
@@ -88,9 +100,13 @@ impl Job for Counted<'_> {
     const ANY: bool = false;
     const COUNT: bool = true;
 
+    fn groups(&self) -> usize {
+        self.closest.groups()
+    }
+
     #[inline(always)]
-    fn next<S: Wide>(&mut self, simd: S, world: &mut Group, found: &mut Found) -> Option<(usize, u32)> {
-        self.closest.next(simd, world, found)
+    fn load<S: Wide>(&mut self, simd: S, name: usize, world: &mut Group, found: &mut Found) -> u32 {
+        self.closest.load(simd, name, world, found)
     }
 
     #[inline(always)]

@@ -67,3 +67,21 @@ pub(crate) fn meet<S: Wide>(simd: S, leaf: &Leaf, frame: &Frame, t_min: f32, t_l
     let mask = inside & t.simd_gt(splat(t_min)) & t.simd_le(splat(t_last));
     (mask.to_bitmask() != 0).then(|| Met { mask, t, u: v * scale, v: w * scale })
 }
+
+impl<S: Wide> Met<S> {
+    /// The smallest `t` and its lane, ties going to the smaller primitive.
+    #[inline(always)]
+    pub(crate) fn nearest(&self, simd: S, primitives: &[u32; WIDTH]) -> (f32, usize) {
+        let nearest = self.mask.select(self.t, f32x16::splat(simd, f32::INFINITY)).reduce_min();
+        let mut ties = (self.mask & self.t.simd_eq(f32x16::splat(simd, nearest))).to_bitmask() as u32;
+        let mut best = ties.trailing_zeros() as usize & (WIDTH - 1);
+        while ties & ties.wrapping_sub(1) != 0 {
+            ties &= ties - 1;
+            let other = ties.trailing_zeros() as usize & (WIDTH - 1);
+            if primitives[other] < primitives[best] {
+                best = other;
+            }
+        }
+        (nearest, best)
+    }
+}

@@ -7,6 +7,7 @@
 //! the traversal met first. So the result has the same bits at every SIMD level, batch size, thread and coherence hint.
 
 mod build;
+mod bundle;
 mod geometry;
 mod group;
 mod jobs;
@@ -15,6 +16,7 @@ mod leaf_test;
 mod mesh_tree;
 mod nodes;
 mod objects;
+mod packet;
 mod scene_tree;
 mod single;
 mod slabs;

@@ -5,6 +5,7 @@ use super::geometry::{Geometry, ObjectFromWorld};
 use super::group::{Found, Group};
 use super::lanes::at_level;
 use super::nodes::{Link, Tree};
+use crate::math::bounds::Bounds;
 use crate::math::ray::LANES;
 use std::sync::Arc;
 
@@ -24,6 +25,8 @@ pub(crate) struct Objects {
     pub(crate) list: Vec<Object>,
     /// Over instances, and over the bounded shapes when they are many.
     pub(crate) tree: Tree,
+    /// The boxes of the objects, lower and upper corner.
+    pub(crate) bounds: Vec<[[f32; 3]; 2]>,
     /// Shapes outside the tree, tested for every ray: unbounded ones, and all shapes when they are few.
     pub(crate) always: Vec<u32>,
     /// Entries of a ray's stack that suffice for the scene and any instance in it.
@@ -52,7 +55,8 @@ impl Objects {
             Object::Shape(_) => 0,
         });
         let stack_capacity = tree.stack_capacity() + deepest.max().unwrap_or(0);
-        Self { list, tree, always, stack_capacity }
+        let bounds = bounds.iter().map(|b| b.unwrap_or(Bounds::EMPTY)).map(|b| [b.min.to_array(), b.max.to_array()]);
+        Self { list, tree, bounds: bounds.collect(), always, stack_capacity }
     }
 }
 
@@ -62,14 +66,26 @@ impl Objects {
     pub(crate) fn meet_always(&self, world: &Group, found: &mut Found) {
         for &index in &self.always {
             if let Object::Shape(shape) = &self.list[index as usize] {
-                for lane in 0..LANES {
-                    let ray = world.ray(lane, found.t[lane].next_up());
-                    if let Some((t, primitive)) = shape.intersect(&ray) {
-                        found.offer(lane, t, [0.0; 2], index, primitive);
-                    }
-                }
+                shape.meet(world, found, index, 0xffff);
             }
         }
+    }
+}
+
+impl Geometry {
+    /// Meets an analytic shape with the rays in `rays`; a bit for each that takes the hit.
+    #[inline(always)]
+    pub(crate) fn meet(&self, world: &Group, found: &mut Found, object: u32, rays: u32) -> u32 {
+        let mut hit = 0;
+        for lane in (0..LANES).filter(|lane| rays >> lane & 1 != 0) {
+            let ray = world.ray(lane, found.t[lane].next_up());
+            if let Some((t, primitive)) = self.intersect(&ray)
+                && found.offer(lane, t, [0.0; 2], object, primitive)
+            {
+                hit |= 1 << lane;
+            }
+        }
+        hit
     }
 }
 

@@ -2,10 +2,10 @@
 
 use super::Level;
 use super::geometry::Geometry;
-use super::jobs::{Any, Closest, Counted};
+use super::jobs::{Any, Closest, Counted, Job};
 use super::lanes::at_level;
 use super::objects::Objects;
-use super::single::{self, Scratch};
+use super::{packet, single};
 use crate::math::bounds::Bounds;
 use crate::math::ray::{Coherence, HitBatch, Mask, RayBatch};
 use std::cell::RefCell;
@@ -41,18 +41,14 @@ impl SceneTree {
 
     /// The nearest hit of every ray. `hits` gets the length of `rays`.
     pub fn closest_hits(&self, level: Level, rays: &RayBatch, coherence: Coherence, hits: &mut HitBatch) {
-        let _ = coherence;
         hits.reset(rays.len());
-        let mut job = Closest { objects: &self.objects, rays, hits, next: 0 };
-        with_scratch(|scratch| at_level!(level, simd => single::trace(simd, &self.objects, scratch, &mut job)));
+        self.trace(level, coherence, &mut Closest { objects: &self.objects, rays, hits });
     }
 
     /// Whether anything lies in the open interval of each ray. `occluded` gets the length of `rays`.
     pub fn occluded(&self, level: Level, rays: &RayBatch, coherence: Coherence, occluded: &mut Mask) {
-        let _ = coherence;
         occluded.reset(rays.len());
-        let mut job = Any { objects: &self.objects, rays, occluded, next: 0 };
-        with_scratch(|scratch| at_level!(level, simd => single::trace(simd, &self.objects, scratch, &mut job)));
+        self.trace(level, coherence, &mut Any { objects: &self.objects, rays, occluded });
     }
 
     /// Like [`SceneTree::closest_hits`], and counts the work of each ray. Slower; a debug view's.
@@ -62,15 +58,28 @@ impl SceneTree {
             counts.clear();
             counts.resize(rays.len(), 0);
         }
-        let mut job = Counted { closest: Closest { objects: &self.objects, rays, hits, next: 0 }, cost };
-        with_scratch(|scratch| at_level!(level, simd => single::trace(simd, &self.objects, scratch, &mut job)));
+        let closest = Closest { objects: &self.objects, rays, hits };
+        self.trace(level, Coherence::Incoherent, &mut Counted { closest, cost });
     }
-}
 
-/// Hands out the thread's own scratch memory.
-fn with_scratch(use_it: impl FnOnce(&mut Scratch)) {
-    thread_local! {
-        static SCRATCH: RefCell<Box<Scratch>> = RefCell::new(Box::new(Scratch::new()));
+    fn trace<J: Job>(&self, level: Level, coherence: Coherence, job: &mut J) {
+        thread_local! {
+            /// Memory of the kernels: each thread its own.
+            static SCRATCH: RefCell<Box<(packet::Scratch, single::Scratch)>> =
+                RefCell::new(Box::new((packet::Scratch::new(), single::Scratch::new())));
+        }
+        let objects = &self.objects;
+        SCRATCH.with_borrow_mut(|scratch| {
+            let (packet, single) = &mut **scratch;
+            if coherence == Coherence::Incoherent {
+                let mut names = 0..job.groups();
+                at_level!(level, simd => single::trace(simd, objects, single, job, &mut names));
+            } else {
+                let mut left = Vec::new();
+                at_level!(level, simd => packet::trace(simd, objects, packet, job, &mut left));
+                let mut names = left.into_iter();
+                at_level!(level, simd => single::trace(simd, objects, single, job, &mut names));
+            }
+        });
     }
-    SCRATCH.with_borrow_mut(|scratch| use_it(scratch));
 }

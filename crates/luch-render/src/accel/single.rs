@@ -6,12 +6,12 @@
 //! each other, so the processor overlaps them, and there is no branch on whether a ray is at a node or a leaf.
 
 use super::group::{Found, Group};
+use super::jobs::Job;
 use super::lanes::Wide;
-use super::leaf_test;
 use super::nodes::{Child, Link, Tree, WIDTH};
 use super::objects::{Object, Objects};
+use super::packet;
 use crate::math::ray::{LANES, NO_OBJECT};
-use fearless_simd::f32x16;
 use fearless_simd::prelude::*;
 use fearless_simd::u32x16;
 
@@ -21,21 +21,6 @@ const POOL: usize = 8;
 const FLIGHT: usize = POOL * LANES;
 /// With this many rays in flight or fewer, the next group starts: enough for the steps to overlap.
 const ENOUGH: usize = 48;
-
-/// Where groups of rays come from and answers go.
-pub(crate) trait Job {
-    /// Any hit will do.
-    const ANY: bool;
-    /// Whether [`Job::count`] is wanted.
-    const COUNT: bool;
-
-    /// Loads the next group and what is known of its hits; its name, and a bit for each ray to trace.
-    fn next<S: Wide>(&mut self, simd: S, world: &mut Group, found: &mut Found) -> Option<(usize, u32)>;
-    /// Takes the answers of a group.
-    fn done<S: Wide>(&mut self, simd: S, name: usize, found: &Found);
-    /// Takes the work done for one ray.
-    fn count(&mut self, name: usize, lane: usize, nodes: u32, primitives: u32);
-}
 
 /// Memory of the kernel, kept between calls: zeroing it costs more than tracing a few rays.
 #[derive(Debug)]
@@ -95,8 +80,15 @@ impl List {
 /// No way on. Ends like a leaf.
 const DONE: Link = Link(0x7fff_ffff);
 
-pub(crate) fn trace<S: Wide, J: Job>(simd: S, objects: &Objects, scratch: &mut Scratch, job: &mut J) {
-    let Some(root) = objects.tree.root else { return finish_all(simd, scratch, job) };
+/// Traces the groups of a job that `names` gives.
+pub(crate) fn trace<S: Wide, J: Job>(
+    simd: S,
+    objects: &Objects,
+    scratch: &mut Scratch,
+    job: &mut J,
+    names: &mut dyn Iterator<Item = usize>,
+) {
+    let Some(root) = objects.tree.root else { return finish_all(simd, scratch, job, names) };
     let entries = objects.stack_capacity * FLIGHT;
     if scratch.child.len() < entries {
         scratch.child.resize(entries, 0);
@@ -106,14 +98,15 @@ pub(crate) fn trace<S: Wide, J: Job>(simd: S, objects: &Objects, scratch: &mut S
     let mut flight = Flight { objects, scratch, flyers: [flyer; FLIGHT], capacity: objects.stack_capacity, root };
     simd.vectorize(
         #[inline(always)]
-        || flight.run(simd, job),
+        || flight.run(simd, job, names),
     );
 }
 
 /// There is no tree: what is known already is the answer.
-fn finish_all<S: Wide, J: Job>(simd: S, scratch: &mut Scratch, job: &mut J) {
+fn finish_all<S: Wide, J: Job>(simd: S, scratch: &mut Scratch, job: &mut J, names: &mut dyn Iterator<Item = usize>) {
     let Scratch { groups: [[world, ..], _], found: [found, ..], .. } = scratch;
-    while let Some((name, _)) = job.next(simd, world, found) {
+    for name in names {
+        job.load(simd, name, world, found);
         job.done(simd, name, found);
     }
 }
@@ -128,19 +121,18 @@ struct Flight<'a> {
 
 impl<'a> Flight<'a> {
     #[inline(always)]
-    fn run<S: Wide, J: Job>(&mut self, simd: S, job: &mut J) {
+    fn run<S: Wide, J: Job>(&mut self, simd: S, job: &mut J, todo: &mut dyn Iterator<Item = usize>) {
         let (mut at_node, mut at_end) = (List::EMPTY, List::EMPTY);
         // Of each group in flight its name, and how many of its rays are not done.
         let mut names = [0; POOL];
         let mut left = [0_u32; POOL];
-        let mut more = true;
+        let mut next = todo.next();
         loop {
-            while more && at_node.len + at_end.len <= ENOUGH {
+            while at_node.len + at_end.len <= ENOUGH {
+                let Some(name) = next else { break };
                 let Some(pool) = left.iter().position(|&rays| rays == 0) else { break };
-                let Some((name, rays)) = self.start(simd, pool, job) else {
-                    more = false;
-                    break;
-                };
+                next = todo.next();
+                let rays = self.start(simd, pool, name, job);
                 (names[pool], left[pool]) = (name, rays.count_ones());
                 if rays == 0 {
                     job.done(simd, name, &self.scratch.found[pool]);
@@ -184,12 +176,12 @@ impl<'a> Flight<'a> {
         }
     }
 
-    /// Starts the next group in a free place of the pool.
+    /// Starts a group in a free place of the pool; a bit for each ray that goes on its way.
     #[inline(always)]
-    fn start<S: Wide, J: Job>(&mut self, simd: S, pool: usize, job: &mut J) -> Option<(usize, u32)> {
+    fn start<S: Wide, J: Job>(&mut self, simd: S, pool: usize, name: usize, job: &mut J) -> u32 {
         let Scratch { groups: [world, object], found, child, near } = &mut *self.scratch;
         let (world, found) = (&mut world[pool], &mut found[pool]);
-        let (name, mut rays) = job.next(simd, world, found)?;
+        let mut rays = job.load(simd, name, world, found);
         let mut flyer = Flyer { tree: &self.objects.tree, depth: 1, object: NO_OBJECT, space: 0 };
         let mut root = self.root;
         if let Child::Object(index) = root.child()
@@ -213,7 +205,7 @@ impl<'a> Flight<'a> {
             child[slot * self.capacity] = root.0;
             near[slot * self.capacity] = f32::NEG_INFINITY;
         }
-        Some((name, rays))
+        rays
     }
 
     /// Takes a ray whose stack has an inner node on top through that node. Returns the new top.
@@ -261,27 +253,14 @@ impl<'a> Flight<'a> {
         }
         let group = &self.scratch.groups[flyer.space & 1][pool];
         let found = &mut self.scratch.found[pool];
-        if let Some(met) = leaf_test::meet(simd, leaf, &group.frame(lane), group.t_min[lane], found.t[lane]) {
+        let primitives = &flyer.tree.primitives[index];
+        if packet::ray_in_leaf::<S, J>(simd, group, lane, leaf, primitives, flyer.object, found) {
             if J::ANY {
-                found.object[lane] = flyer.object;
                 flyer.depth = 0;
                 return DONE;
             }
-            let none = f32x16::splat(simd, f32::INFINITY);
-            let nearest = met.mask.select(met.t, none).reduce_min();
-            let mut ties = (met.mask & met.t.simd_eq(f32x16::splat(simd, nearest))).to_bitmask() as u32;
-            let primitives = &flyer.tree.primitives[index];
-            let mut best = ties.trailing_zeros() as usize & (WIDTH - 1);
-            while ties & ties.wrapping_sub(1) != 0 {
-                ties &= ties - 1;
-                let other = ties.trailing_zeros() as usize & (WIDTH - 1);
-                if primitives[other] < primitives[best] {
-                    best = other;
-                }
-            }
-            if found.offer(lane, nearest, [met.u[best], met.v[best]], flyer.object, primitives[best]) {
-                self.drop_behind(slot, nearest);
-            }
+            let t = found.t[lane];
+            self.drop_behind(slot, t);
         }
         self.top(slot)
     }

@@ -1,7 +1,7 @@
 //! Rays against sixteen boxes at a time.
 
 use super::lanes::Wide;
-use super::nodes::{Node, WIDTH};
+use super::nodes::{Leaf, Node, WIDTH};
 use fearless_simd::f32x16;
 use fearless_simd::mask32x16;
 use fearless_simd::prelude::*;
@@ -76,6 +76,25 @@ impl Slabs {
         let enter = near(x, 0).max(near(y, 1)).max(near(z, 2).max(splat(self.t_min)));
         let leave = far(x, 0).min(far(y, 1)).min(far(z, 2).min(splat(self.t_max)));
         (enter, enter.simd_le(leave))
+    }
+}
+
+impl Slabs {
+    /// Meets the boxes of a leaf's triangles; a bit for each that is met.
+    #[inline(always)]
+    pub(crate) fn meet_triangles<S: Wide>(&self, simd: S, leaf: &Leaf) -> u32 {
+        let splat = |x: f32| f32x16::splat(simd, x);
+        let corner = leaf.corner.map(|corner| simd.index(corner));
+        let (mut enter, mut leave) = (splat(self.t_min), splat(self.t_max));
+        for axis in 0..3 {
+            let row = f32x16::load_array_ref(simd, &leaf.vertex[axis]);
+            let [a, b, c] = corner.map(|corner| simd.pick(row, corner));
+            let (low, high) = (a.min(b).min(c), a.max(b).max(c));
+            let (near, far) = if self.octant >> axis & 1 != 0 { (high, low) } else { (low, high) };
+            enter = enter.max(near.mul_add(splat(self.near_mul[axis]), splat(self.near_add[axis])));
+            leave = leave.min(far.mul_add(splat(self.far_mul[axis]), splat(self.far_add[axis])));
+        }
+        enter.simd_le(leave).to_bitmask() as u32 & ((1 << leaf.count) - 1)
     }
 }
 

@@ -188,17 +188,40 @@ mod unix {
         assert!(refused(&folder.file("a")).text.contains("loop"));
     }
 
+    /// Makes a pipe or device in the test's own folder. The system's own `/dev/null` is no place to test this: as root, a
+    /// save gone wrong would replace it for everybody.
+    fn make(folder: &Folder, name: &str, options: &[&str]) -> Option<PathBuf> {
+        let path = folder.file(name);
+        let status = std::process::Command::new("mknod").arg(&path).args(options).output();
+        status.is_ok_and(|o| o.status.success()).then_some(path)
+    }
+
     #[test]
-    fn devices_are_written_to_and_not_replaced() {
-        let null = Path::new("/dev/null");
-        write_text(null, "new").unwrap();
-        assert!(!fs::metadata(null).unwrap().is_file());
+    fn a_pipe_is_written_to_and_not_replaced() {
+        use std::os::unix::fs::FileTypeExt;
+        let folder = Folder::new();
+        let Some(pipe) = make(&folder, "pipe", &["p"]) else { return };
+        let read = std::thread::scope(|scope| {
+            let reader = scope.spawn(|| fs::read_to_string(&pipe).unwrap());
+            write_text(&pipe, "through").unwrap();
+            reader.join().unwrap()
+        });
+        assert_eq!(read, "through");
+        assert!(fs::metadata(&pipe).unwrap().file_type().is_fifo());
+        assert_eq!(folder.names(), ["pipe"]);
     }
 
     #[cfg(target_os = "linux")]
     #[test]
-    fn a_full_device_is_told() {
-        assert_eq!(refused(Path::new("/dev/full")).text, "cannot be written: the disk is full");
+    fn a_full_device_is_told_and_not_replaced() {
+        let folder = Folder::new();
+        // Only root makes devices, and not everywhere may they be opened.
+        let Some(full) = make(&folder, "full", &["c", "1", "7"]) else { return };
+        if fs::File::open(&full).is_err() {
+            return;
+        }
+        assert_eq!(refused(&full).text, "cannot be written: the disk is full");
+        assert!(!fs::metadata(&full).unwrap().is_file());
     }
 
     /// Mounts a disk of its own where the test may (as root on Linux); elsewhere there is nothing to test.

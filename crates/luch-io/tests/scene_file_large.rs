@@ -2,6 +2,8 @@
 //!
 //! One test after the other, for the peak of memory is the process's.
 
+#![allow(clippy::print_stdout, reason = "figures, for who asks with --nocapture")]
+
 use luch_io::{Error, ErrorKind, Report, parse_scene, read_scene};
 use luch_scene::Scene;
 use std::fmt::Write;

@@ -1,0 +1,26 @@
+//! Does what a command means.
+
+mod bench_rays;
+mod info;
+mod render;
+mod scenes;
+mod writable;
+
+use crate::args::{BenchCommand, Command};
+use crate::exit::Failure;
+use crate::meaning::Request;
+use crate::signals::Watch;
+
+/// Runs the command to its end.
+///
+/// # Errors
+/// What the user is to read; the exit code is in it.
+pub(crate) fn run(command: Command) -> Result<(), Failure> {
+    let watch = Watch::start()?;
+    match command {
+        Command::Render(args) => render::run(&Request::of(*args)?, &watch),
+        Command::Scenes(args) => scenes::run(&args, &watch),
+        Command::Info(args) => info::run(&args, &watch),
+        Command::Bench(BenchCommand::Rays(args)) => bench_rays::run(&args, &watch),
+    }
+}

@@ -1,0 +1,170 @@
+//! `luch render`: load, change, build, render, write.
+
+use crate::clock::Stopwatch;
+use crate::exit::{Code, Failure};
+use crate::meaning::{Format, Request, Stats, picture_bytes};
+use crate::output;
+use crate::progress::Stages;
+use crate::run::writable;
+use crate::signals::Watch;
+use crate::source::{self, Loaded};
+use luch_io::atomic_save::save;
+use luch_io::{Metadata, Pixels, linear_hash, write_exr, write_png};
+use luch_render::film::tonemap::{srgb8, srgb16};
+use luch_render::{Film, MeshTrees, Progress, RenderError, RenderJob, compile, render};
+use luch_scene::Scene;
+use serde::Serialize;
+use std::io;
+use std::path::Path;
+use std::sync::Arc;
+
+/// What `--stats` tells. The keys are a fixed contract.
+#[derive(Debug, Serialize)]
+struct Figures {
+    width: u32,
+    height: u32,
+    rays_per_pixel: u32,
+    threads: usize,
+    simd: &'static str,
+    load_ms: f64,
+    build_ms: f64,
+    render_ms: f64,
+    cpu_ms: Option<f64>,
+    rays: u64,
+    rays_per_s: f64,
+    triangles: u64,
+    hash: String,
+}
+
+/// What a picture file says of how it was made.
+#[derive(Debug, Serialize)]
+struct Settings<'a> {
+    camera: &'a str,
+    size: [u32; 2],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    crop: Option<[u32; 4]>,
+    rays_per_pixel: u32,
+    antialiasing: bool,
+    depth_of_field: bool,
+    depth: u32,
+    integrator: &'static str,
+}
+
+pub(crate) fn run(request: &Request, watch: &Watch) -> Result<(), Failure> {
+    request.outputs().try_for_each(writable::check)?;
+    let stages = Stages::new(request.quiet);
+
+    let loading = Stopwatch::start();
+    let load = || source::load(&request.scene, request.memory, watch);
+    let Loaded { mut scene, warnings, mut budget } = stages.during("loading", None, load)?;
+    let load_ms = loading.wall_ms();
+
+    let camera = request.apply(&mut scene)?;
+    let job = request.job(&scene, camera)?;
+    budget.charge("the picture", picture_bytes(&job)).map_err(|over| over.in_file(&request.output))?;
+    if !request.quiet {
+        warnings.iter().chain(&request.advice(&job)).for_each(|line| output::warning(line));
+    }
+
+    let building = Stopwatch::start();
+    let build = || compile(&scene, &mut MeshTrees::new(), request.threads);
+    let compiled = stages.during("building", None, build);
+    let build_ms = building.wall_ms();
+
+    let rendering = Stopwatch::start();
+    let progress = Arc::new(Progress::new());
+    let work = || stages.during("rendering", Some(&progress), || render(&compiled, &job, &progress));
+    let outcome = watch.rendering(&progress, work)?;
+    let (render_ms, cpu_ms) = (rendering.wall_ms(), rendering.cpu_ms());
+    // A render stopped by the user fails as the signal that stopped it.
+    watch.check()?;
+    let film = outcome.map_err(|error| failed(&error))?;
+
+    let linear = film.linear();
+    let figures = Figures {
+        width: film.width(),
+        height: film.height(),
+        rays_per_pixel: job.rays_per_pixel(),
+        threads: request.threads,
+        simd: request.simd.resolved().word(),
+        load_ms,
+        build_ms,
+        render_ms,
+        cpu_ms,
+        rays: progress.rays(),
+        rays_per_s: (progress.rays() as f64 / (render_ms / 1e3).max(1e-9)).round(),
+        triangles: compiled.triangles(),
+        hash: linear_hash(&linear),
+    };
+    let metadata = metadata(&scene, &job, &figures.hash)?;
+    let write = || write_all(request, &film, &linear, &metadata, &figures);
+    watch.writing(request.outputs(), || stages.during("writing", None, write))?
+}
+
+fn failed(error: &RenderError) -> Failure {
+    let code = if matches!(error, RenderError::Internal { .. }) { Code::Internal } else { Code::Render };
+    Failure::new(code, error.to_string())
+}
+
+fn metadata(scene: &Scene, job: &RenderJob, hash: &str) -> Result<Metadata, Failure> {
+    let settings = Settings {
+        camera: &job.camera.name,
+        size: [job.size.width(), job.size.height()],
+        crop: job.crop.map(|c| [c.x, c.y, c.width, c.height]),
+        rays_per_pixel: job.rays_per_pixel(),
+        antialiasing: job.antialiasing.on,
+        depth_of_field: job.depth_of_field.on,
+        depth: job.depth,
+        integrator: job.integrator.word(),
+    };
+    let settings = serde_json::to_string(&settings).map_err(|e| Failure::new(Code::Internal, e.to_string()))?;
+    Ok(Metadata { title: scene.name.clone(), settings, hash: hash.to_owned() })
+}
+
+/// Writes the picture and the figures: both, or neither.
+fn write_all(
+    request: &Request,
+    film: &Film,
+    linear: &[f32],
+    metadata: &Metadata,
+    figures: &Figures,
+) -> Result<(), Failure> {
+    let picture = || write_picture(request, film, linear, metadata);
+    match &request.stats {
+        Stats::Nowhere => picture(),
+        // First, for a reader that has gone away is a failure, and a failed run leaves no picture.
+        Stats::Stdout => output::json(figures).and_then(|()| picture()),
+        Stats::File(path) => write_with_stats(path, figures, picture),
+    }
+}
+
+/// Writes the figures beside their place, then the picture, then puts the figures in their place.
+fn write_with_stats(
+    path: &Path,
+    figures: &Figures,
+    picture: impl FnOnce() -> Result<(), Failure>,
+) -> Result<(), Failure> {
+    let text = output::to_json(figures)?;
+    let mut failure = None;
+    let saved = save(path, |file| {
+        file.write_all(text.as_bytes())?;
+        picture().map_err(|f| {
+            failure = Some(f);
+            io::Error::other("no picture")
+        })
+    });
+    match failure {
+        Some(failure) => Err(failure),
+        None => Ok(saved?),
+    }
+}
+
+fn write_picture(request: &Request, film: &Film, linear: &[f32], metadata: &Metadata) -> Result<(), Failure> {
+    let (path, width, height) = (request.output.as_path(), film.width(), film.height());
+    match request.format {
+        Format::Png8 => write_png(path, width, height, Pixels::Rgb8(&srgb8(linear)), metadata)?,
+        Format::Png16 => write_png(path, width, height, Pixels::Rgb16(&srgb16(linear)), metadata)?,
+        Format::Exr => write_exr(path, width, height, linear, metadata)?,
+    }
+    Ok(())
+}

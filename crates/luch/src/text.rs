@@ -1,0 +1,68 @@
+//! What stands below the flags in the help texts: examples first.
+
+pub(crate) const MAIN: &str = "\
+Examples:
+  luch scenes                                   the built-in scenes, their cameras and objects
+  luch render two-spheres -o spheres.png        a first picture
+  luch render chess -o chess.png --camera 2 --antialiasing 64
+  luch info bunny.obj                           what is in a model
+
+`luch COMMAND --help` tells more of each command.
+The window of the studio is not part of this build.
+
+Exit codes: 0 done, 1 render error, 2 wrong command line, 3 malformed file, 4 missing or
+forbidden file, 5 limit exceeded, 6 output cannot be written, 70 internal error, 130 and 143
+stopped by a signal. A picture is written only with exit code 0, and all at once: a failed run
+leaves an older one as it was.";
+
+pub(crate) const RENDER: &str = "\
+Examples:
+  luch render two-spheres -o a.png
+  luch render two-spheres -o a.png --camera 3 --fov 90
+  luch render knight -o a.png --camera 3 --set 'Knight.color=yellow'
+  luch render knight -o a.png --camera 2 --set 'Cube.reflection=95%'
+  luch render two-spheres -o a.png --light-intensity 80
+  luch render two-spheres -o a.png --camera 2 --antialiasing 64
+  luch render knight -o a.png --depth-of-field 64 --focal-distance 4
+  luch render bunny.obj -o a.exr --size 1920x1080 --shading flat --stats a.json
+
+Changes of the scene (--set, applied in the order given, after the other flags):
+  'OBJECT.color=#ffd700'      or a CSS colour's name
+  'OBJECT.reflection=50%'     share of the mirror, 0..1 or percent; gloss is the highlight
+  'OBJECT.position=x,y,z'     of a centre, a wall's point, the middle of a piece's foot
+  'OBJECT.checker=1,#404040'  squares of that side in a second colour, or off
+  'OBJECT.hidden=true'        and OBJECT.name
+  spheres: center, radius     boxes: center, side, size, rotation     walls: point, normal, size
+  meshes: rotation (degrees about x,y,z), scale, shading
+  lights: intensity, color, position, hidden, name
+  cameras: position, look_at, direction, fov, focal_distance, lens_radius, name
+  scene: background, ambient, attenuation, name
+A wrong name or key lists those there are; `luch info SCENE` lists the names.
+
+Ctrl-C stops within a second and leaves no half picture; a second Ctrl-C stops at once.";
+
+pub(crate) const SCENES: &str = "\
+Examples:
+  luch scenes
+  luch scenes --json | jq -r '.[].id'";
+
+pub(crate) const INFO: &str = "\
+Examples:
+  luch info chess
+  luch info my/scene.toml
+  luch info bunny.obj --json | jq .triangles
+
+A shared mesh is counted once for each object in `triangles`, and once in `memory_bytes`.
+`bounds` are those of the visible objects but unbounded walls, in scene units.";
+
+pub(crate) const BENCH: &str = "\
+Example:
+  luch bench rays --mesh blob.obj --rays blob.camera.rays --query closest --coherent --threads 1 --json";
+
+pub(crate) const BENCH_RAYS: &str = "\
+Examples:
+  luch bench rays --mesh blob.obj --rays blob.camera.rays --query closest --coherent --threads 1
+  luch bench rays --mesh blob.obj --rays blob.shadow.rays --query any --coherent --json
+
+Prints tris, build_ms, rays, hits, sum_t (the sum of the hits' t; closest only), mrays_per_s (million rays a
+second in the best repeat), threads and simd.";

@@ -1,7 +1,7 @@
 //! Sixteen rays in lanes, with what the box and triangle tests need of them.
 
 use super::geometry::ObjectFromWorld;
-use super::lanes::Wide;
+use super::lanes::{Wide, each, load, splat};
 use super::leaf_test::Frame;
 use super::slabs::{OFFSET_SLACK, SLACK, Slabs, steepest};
 use crate::math::ray::{HitBatch, LANES, NO_OBJECT, Ray, RayBatch};
@@ -61,61 +61,76 @@ impl Group {
 
     /// Loads rays `16 * k ..` of a batch. The constants are not set yet.
     #[inline(always)]
-    pub(crate) fn load(&mut self, rays: &RayBatch, k: usize) {
+    pub(crate) fn load<S: Wide>(&mut self, simd: S, rays: &RayBatch, k: usize) {
         for axis in 0..3 {
-            self.origin[axis] = rays.origin(axis).as_chunks().0[k];
-            self.direction[axis] = rays.direction(axis).as_chunks().0[k];
+            copy(simd, &rays.origin(axis).as_chunks().0[k], &mut self.origin[axis]);
+            copy(simd, &rays.direction(axis).as_chunks().0[k], &mut self.direction[axis]);
         }
-        self.t_min = rays.t_min().as_chunks().0[k];
+        copy(simd, &rays.t_min().as_chunks().0[k], &mut self.t_min);
     }
 
     /// The rays of another space, in that of an object: [`ObjectFromWorld::ray`] in lanes. Sets no constants.
     #[inline(always)]
     pub(crate) fn load_transformed<S: Wide>(&mut self, simd: S, world: &Self, inverse: &ObjectFromWorld) {
-        self.t_min = world.t_min;
+        copy(simd, &world.t_min, &mut self.t_min);
         let Some(rows) = &inverse.rows else {
-            (self.origin, self.direction) = (world.origin, world.direction);
+            for axis in 0..3 {
+                copy(simd, &world.origin[axis], &mut self.origin[axis]);
+                copy(simd, &world.direction[axis], &mut self.direction[axis]);
+            }
             return;
         };
-        let splat = |x: f32| f32x16::splat(simd, x);
-        let load = |row: &Row| f32x16::load_array_ref(simd, row);
-        let map = |p: [f32x16<S>; 3], to: &mut [Row; 3]| {
-            for (row, to) in rows.iter().zip(to) {
-                ((splat(row.x) * p[0] + splat(row.y) * p[1]) + splat(row.z) * p[2]).store_array(to);
-            }
-        };
         let from = inverse.translation;
-        let origin = [0, 1, 2].map(|axis| load(&world.origin[axis]) - splat(from[axis]));
-        map(origin, &mut self.origin);
-        map([0, 1, 2].map(|axis| load(&world.direction[axis])), &mut self.direction);
+        let origin = each(
+            #[inline(always)]
+            |axis| load(simd, &world.origin[axis]) - splat(simd, from[axis]),
+        );
+        let direction = each(
+            #[inline(always)]
+            |axis| load(simd, &world.direction[axis]),
+        );
+        for (axis, row) in rows.iter().enumerate() {
+            along(simd, *row, origin).store_array(&mut self.origin[axis]);
+            along(simd, *row, direction).store_array(&mut self.direction[axis]);
+        }
     }
 
     /// Computes the constants. `reach` as for [`Slabs::new`].
     #[inline(always)]
     pub(crate) fn prepare<S: Wide>(&mut self, simd: S, reach: f32) {
-        let splat = |x: f32| f32x16::splat(simd, x);
-        let load = |row: &Row| f32x16::load_array_ref(simd, row);
-        let origin = [0, 1, 2].map(|axis| load(&self.origin[axis]));
-        let direction = [0, 1, 2].map(|axis| load(&self.direction[axis]));
+        let origin = each(
+            #[inline(always)]
+            |axis| load(simd, &self.origin[axis]),
+        );
+        let direction = each(
+            #[inline(always)]
+            |axis| load(simd, &self.direction[axis]),
+        );
         let farthest = origin[0].abs().max(origin[1].abs()).max(origin[2].abs()).reduce_max();
-        let steepest = splat(steepest(farthest.max(reach)));
-        let inverse = direction.map(|d| splat(1.0) / d);
+        let steepest = splat(simd, steepest(farthest.max(reach)));
+        let inverse = each(
+            #[inline(always)]
+            |axis| splat(simd, 1.0) / direction[axis],
+        );
         let mut octant = u32x16::splat(simd, 0);
         for axis in 0..3 {
             let d = direction[axis];
             let clamped = inverse[axis].abs().min(steepest).copysign(d);
-            let (near, far) = (clamped * splat(1.0 - SLACK), clamped * splat(1.0 + SLACK));
+            let (near, far) = (clamped * splat(simd, 1.0 - SLACK), clamped * splat(simd, 1.0 + SLACK));
             let (near_offset, far_offset) = (origin[axis] * near, origin[axis] * far);
             near.store_array(&mut self.near_mul[axis]);
             far.store_array(&mut self.far_mul[axis]);
-            (-near_offset - near_offset.abs() * splat(OFFSET_SLACK)).store_array(&mut self.near_add[axis]);
-            (-far_offset + far_offset.abs() * splat(OFFSET_SLACK)).store_array(&mut self.far_add[axis]);
-            octant = octant | ((d.bitcast::<u32x16<S>>() >> 31) << axis as u32);
+            (-near_offset - near_offset.abs() * splat(simd, OFFSET_SLACK)).store_array(&mut self.near_add[axis]);
+            (-far_offset + far_offset.abs() * splat(simd, OFFSET_SLACK)).store_array(&mut self.far_add[axis]);
+            octant |= (d.bitcast::<u32x16<S>>() >> 31) << axis as u32;
         }
         octant.store_array(&mut self.octant);
 
         // The frame of the triangle test: `ShearedRay::new` in lanes.
-        let size = direction.map(|d| d.abs());
+        let size = each(
+            #[inline(always)]
+            |axis| direction[axis].abs(),
+        );
         let y_over_x = size[1].simd_gt(size[0]);
         let z_over_both = size[2].simd_gt(y_over_x.select(size[1], size[0]));
         let pick = |x: f32x16<S>, y: f32x16<S>, z: f32x16<S>| z_over_both.select(z, y_over_x.select(y, x));
@@ -178,7 +193,10 @@ impl Group {
         let axes = AXES[self.along[lane] as usize];
         Frame {
             axes,
-            origin: axes.map(|axis| self.origin[axis as usize][lane]),
+            origin: each(
+                #[inline(always)]
+                |k| self.origin[axes[k] as usize][lane],
+            ),
             shear: [self.shear[0][lane], self.shear[1][lane], self.shear[2][lane]],
         }
     }
@@ -186,18 +204,29 @@ impl Group {
     /// Which rays meet a box before what they have found, and where they enter it.
     #[inline(always)]
     pub(crate) fn meet<S: Wide>(&self, simd: S, bounds: &[[f32; 3]; 2], last: &Row) -> (f32x16<S>, mask32x16<S>) {
-        let splat = |x: f32| f32x16::splat(simd, x);
-        let load = |row: &Row| f32x16::load_array_ref(simd, row);
-        let (mut enter, mut leave) = (load(&self.t_min), load(last));
+        let (mut enter, mut leave) = (load(simd, &self.t_min), load(simd, last));
+        let [lower, upper] = bounds;
         for axis in 0..3 {
-            let (low, high) = (splat(bounds[0][axis]), splat(bounds[1][axis]));
-            let negative = load(&self.near_mul[axis]).simd_lt(splat(0.0));
+            let (low, high) = (splat(simd, lower[axis]), splat(simd, upper[axis]));
+            let negative = load(simd, &self.near_mul[axis]).simd_lt(splat(simd, 0.0));
             let (near, far) = (negative.select(high, low), negative.select(low, high));
-            enter = enter.max(near.mul_add(load(&self.near_mul[axis]), load(&self.near_add[axis])));
-            leave = leave.min(far.mul_add(load(&self.far_mul[axis]), load(&self.far_add[axis])));
+            enter = enter.max(near.mul_add(load(simd, &self.near_mul[axis]), load(simd, &self.near_add[axis])));
+            leave = leave.min(far.mul_add(load(simd, &self.far_mul[axis]), load(simd, &self.far_add[axis])));
         }
         (enter, enter.simd_le(leave))
     }
+}
+
+/// Dot products, added in order.
+#[inline(always)]
+fn along<S: Wide>(simd: S, row: Vec3, p: [f32x16<S>; 3]) -> f32x16<S> {
+    (splat(simd, row.x) * p[0] + splat(simd, row.y) * p[1]) + splat(simd, row.z) * p[2]
+}
+
+/// A row from one place to another, without a call of memcpy.
+#[inline(always)]
+fn copy<S: Wide>(simd: S, from: &Row, to: &mut Row) {
+    f32x16::load_array_ref(simd, from).store_array(to);
 }
 
 impl Found {
@@ -217,8 +246,11 @@ impl Found {
         let before: f32x16<S> = (t_max.bitcast::<u32x16<S>>() - u32x16::splat(simd, 1)).bitcast();
         let none = f32x16::splat(simd, f32::NEG_INFINITY);
         t_max.simd_gt(f32x16::splat(simd, 0.0)).select(before, none).store_array(&mut self.t);
-        (self.u, self.v) = ([0.0; LANES], [0.0; LANES]);
-        (self.object, self.primitive) = ([NO_OBJECT; LANES], [NO_OBJECT; LANES]);
+        let (zero, no_object) = (f32x16::splat(simd, 0.0), u32x16::splat(simd, NO_OBJECT));
+        zero.store_array(&mut self.u);
+        zero.store_array(&mut self.v);
+        no_object.store_array(&mut self.object);
+        no_object.store_array(&mut self.primitive);
     }
 
     /// Writes the answers of rays `16 * k ..`.
@@ -228,10 +260,11 @@ impl Found {
         let missed = object.simd_eq(u32x16::splat(simd, NO_OBJECT));
         let t = missed.select(f32x16::splat(simd, f32::INFINITY), f32x16::load_array_ref(simd, &self.t));
         t.store_array(&mut hits.t.as_chunks_mut().0[k]);
-        hits.u.as_chunks_mut().0[k] = self.u;
-        hits.v.as_chunks_mut().0[k] = self.v;
-        hits.object.as_chunks_mut().0[k] = self.object;
-        hits.primitive.as_chunks_mut().0[k] = self.primitive;
+        copy(simd, &self.u, &mut hits.u.as_chunks_mut().0[k]);
+        copy(simd, &self.v, &mut hits.v.as_chunks_mut().0[k]);
+        object.store_array(&mut hits.object.as_chunks_mut().0[k]);
+        let primitive = u32x16::load_array_ref(simd, &self.primitive);
+        primitive.store_array(&mut hits.primitive.as_chunks_mut().0[k]);
     }
 
     /// Takes a hit of one ray if it is nearer; tells whether it was.

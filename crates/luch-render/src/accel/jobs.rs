@@ -40,7 +40,7 @@ impl Job for Closest<'_> {
 
     #[inline(always)]
     fn load<S: Wide>(&mut self, simd: S, name: usize, world: &mut Group, found: &mut Found) -> u32 {
-        world.load(self.rays, name);
+        world.load(simd, self.rays, name);
         found.reset(simd, self.rays, name);
         self.objects.meet_always(world, found);
         0xffff
@@ -71,7 +71,7 @@ impl Job for Any<'_> {
 
     #[inline(always)]
     fn load<S: Wide>(&mut self, simd: S, name: usize, world: &mut Group, found: &mut Found) -> u32 {
-        world.load(self.rays, name);
+        world.load(simd, self.rays, name);
         found.reset(simd, self.rays, name);
         self.objects.meet_always(world, found);
         u32::from(!occluded_word(found))

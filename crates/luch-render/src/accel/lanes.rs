@@ -4,6 +4,25 @@
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, mask32x16, u32x16};
 
+/// `[f(0), f(1), f(2)]`. Unlike `array::map` it is certain to be inlined: a closure that is not runs without the vector
+/// instructions around it, several times slower.
+#[inline(always)]
+pub(crate) fn each<T>(mut f: impl FnMut(usize) -> T) -> [T; 3] {
+    [f(0), f(1), f(2)]
+}
+
+/// Sixteen times the same. A function, not a closure in each kernel, for the same reason.
+#[inline(always)]
+pub(crate) fn splat<S: Simd>(simd: S, x: f32) -> f32x16<S> {
+    f32x16::splat(simd, x)
+}
+
+/// Sixteen in a row.
+#[inline(always)]
+pub(crate) fn load<S: Simd>(simd: S, row: &[f32; 16]) -> f32x16<S> {
+    f32x16::load_array_ref(simd, row)
+}
+
 /// Sixteen numbers of four bits, one per lane, laid out for a vector shift: lane `i` is nibble `i / 2` of the low word
 /// if `i` is even, of the high word if it is odd.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

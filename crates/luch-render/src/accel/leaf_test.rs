@@ -1,6 +1,6 @@
 //! One ray against the triangles of a leaf, in lanes: [`crate::shape::triangle::intersect`], step by step.
 
-use super::lanes::Wide;
+use super::lanes::{Wide, each, load, splat};
 use super::nodes::{Leaf, WIDTH};
 use crate::shape::triangle::ShearedRay;
 use fearless_simd::prelude::*;
@@ -37,23 +37,24 @@ pub(crate) struct Met<S: Wide> {
 /// The triangles with a hit at `t_min < t <= t_last`; `None` if there are none.
 #[inline(always)]
 pub(crate) fn meet<S: Wide>(simd: S, leaf: &Leaf, frame: &Frame, t_min: f32, t_last: f32) -> Option<Met<S>> {
-    let splat = |x: f32| f32x16::splat(simd, x);
-    let row = |k: usize| -> f32x16<S> {
-        let row: &[f32; WIDTH] = &leaf.vertex[frame.axes[k] as usize];
-        f32x16::load_array_ref(simd, row) - splat(frame.origin[k])
-    };
     // Each vertex into the frame of the ray, once for all triangles around it.
-    let z = row(2);
-    let x = row(0) - splat(frame.shear[0]) * z;
-    let y = row(1) - splat(frame.shear[1]) * z;
-    let [a, b, c] = leaf.corner.map(|corner| simd.index(corner));
+    let [x, y, z] = each(
+        #[inline(always)]
+        |k| load(simd, &leaf.vertex[frame.axes[k] as usize]) - splat(simd, frame.origin[k]),
+    );
+    let x = x - splat(simd, frame.shear[0]) * z;
+    let y = y - splat(simd, frame.shear[1]) * z;
+    let [a, b, c] = each(
+        #[inline(always)]
+        |k| simd.index(leaf.corner[k]),
+    );
     let (ax, ay) = (simd.pick(x, a), simd.pick(y, a));
     let (bx, by) = (simd.pick(x, b), simd.pick(y, b));
     let (cx, cy) = (simd.pick(x, c), simd.pick(y, c));
     let u = cx * by - cy * bx;
     let v = ax * cy - ay * cx;
     let w = bx * ay - by * ax;
-    let zero = splat(0.0);
+    let zero = splat(simd, 0.0);
     let positive = u.simd_ge(zero) & v.simd_ge(zero) & w.simd_ge(zero);
     let negative = u.simd_le(zero) & v.simd_le(zero) & w.simd_le(zero);
     let determinant = (u + v) + w;
@@ -61,10 +62,10 @@ pub(crate) fn meet<S: Wide>(simd: S, leaf: &Leaf, frame: &Frame, t_min: f32, t_l
     if inside.to_bitmask() == 0 {
         return None;
     }
-    let z = z * splat(frame.shear[2]);
-    let scale = splat(1.0) / determinant;
+    let z = z * splat(simd, frame.shear[2]);
+    let scale = splat(simd, 1.0) / determinant;
     let t = ((u * simd.pick(z, a) + v * simd.pick(z, b)) + w * simd.pick(z, c)) * scale;
-    let mask = inside & t.simd_gt(splat(t_min)) & t.simd_le(splat(t_last));
+    let mask = inside & t.simd_gt(splat(simd, t_min)) & t.simd_le(splat(simd, t_last));
     (mask.to_bitmask() != 0).then(|| Met { mask, t, u: v * scale, v: w * scale })
 }
 

@@ -6,16 +6,16 @@
 //! rays than triangles are left, each ray against sixteen triangles. Groups that point every which way are left to the
 //! single-ray kernel.
 
-use super::bundle::Bundle;
-use super::group::{Found, Group, Row};
+use super::bundle::{Bundle, most};
+use super::group::{Found, Group};
 use super::jobs::Job;
-use super::lanes::Wide;
+use super::lanes::{Wide, each, load, splat};
 use super::leaf_test;
 use super::nodes::{Child, Leaf, Link, Tree, WIDTH};
 use super::objects::{Object, Objects};
 use crate::math::ray::LANES;
 use fearless_simd::prelude::*;
-use fearless_simd::{f32x16, mask32x16, u32x16};
+use fearless_simd::{mask32x16, u32x16};
 
 /// Memory of the kernel, kept between calls.
 #[derive(Debug)]
@@ -166,9 +166,7 @@ fn push<S: Wide>(simd: S, bundle: &Bundle, node: &super::nodes::Node, child: &mu
 /// Where the last of the rays ends.
 #[inline(always)]
 fn farthest<S: Wide>(simd: S, found: &Found, alive: u32) -> f32 {
-    let mask = mask32x16::from_bitmask(simd, u64::from(alive));
-    let t = f32x16::load_array_ref(simd, &found.t);
-    mask.select(t, f32x16::splat(simd, f32::NEG_INFINITY)).reduce_max()
+    most(simd, mask32x16::from_bitmask(simd, u64::from(alive)), load(simd, &found.t))
 }
 
 /// A group on its way through one mesh.
@@ -277,21 +275,28 @@ impl Walk<'_> {
         rays: u32,
     ) -> u32 {
         const AXES: [[usize; 3]; 3] = [[1, 2, 0], [2, 0, 1], [0, 1, 2]];
-        let splat = |x: f32| f32x16::splat(simd, x);
-        let load = |row: &Row| f32x16::load_array_ref(simd, row);
         let axes = AXES[along % 3];
         let group = self.group;
-        let [sx, sy] = [0, 1].map(|k| load(&group.shear[k]));
-        let origin = axes.map(|axis| load(&group.origin[axis]));
-        let [a, b, c] = leaf.corner.map(|corner| {
-            let k = corner.get(lane);
-            let [x, y, z] = [0, 1, 2].map(|axis| splat(leaf.vertex[axes[axis]][k]) - origin[axis]);
-            [x - sx * z, y - sy * z, z]
-        });
+        let (sx, sy) = (load(simd, &group.shear[0]), load(simd, &group.shear[1]));
+        let origin = each(
+            #[inline(always)]
+            |k| load(simd, &group.origin[axes[k]]),
+        );
+        let [a, b, c] = each(
+            #[inline(always)]
+            |corner| {
+                let k = leaf.corner[corner].get(lane);
+                let [x, y, z] = each(
+                    #[inline(always)]
+                    |axis| splat(simd, leaf.vertex[axes[axis]][k]) - origin[axis],
+                );
+                [x - sx * z, y - sy * z, z]
+            },
+        );
         let u = c[0] * b[1] - c[1] * b[0];
         let v = a[0] * c[1] - a[1] * c[0];
         let w = b[0] * a[1] - b[1] * a[0];
-        let zero = splat(0.0);
+        let zero = splat(simd, 0.0);
         let positive = u.simd_ge(zero) & v.simd_ge(zero) & w.simd_ge(zero);
         let negative = u.simd_le(zero) & v.simd_le(zero) & w.simd_le(zero);
         let determinant = (u + v) + w;
@@ -299,11 +304,11 @@ impl Walk<'_> {
         if inside.to_bitmask() as u32 & rays == 0 {
             return 0;
         }
-        let sz = load(&group.shear[2]);
-        let scale = splat(1.0) / determinant;
+        let sz = load(simd, &group.shear[2]);
+        let scale = splat(simd, 1.0) / determinant;
         let t = ((u * (sz * a[2]) + v * (sz * b[2])) + w * (sz * c[2])) * scale;
-        let last = load(&found.t);
-        let met = inside & mask32x16::from_bitmask(simd, u64::from(rays)) & t.simd_gt(load(&group.t_min));
+        let last = load(simd, &found.t);
+        let met = inside & mask32x16::from_bitmask(simd, u64::from(rays)) & t.simd_gt(load(simd, &group.t_min));
         let mut takes = met & t.simd_lt(last);
         let ties = met & t.simd_eq(last);
         if ties.to_bitmask() != 0 {
@@ -318,19 +323,17 @@ impl Walk<'_> {
         if bits == 0 {
             return 0;
         }
-        let set = |row: &mut Row, new: f32x16<S>| takes.select(new, load(row)).store_array(row);
-        let set_index = |row: &mut [u32; LANES], new: u32| {
-            takes.select(u32x16::splat(simd, new), u32x16::load_array_ref(simd, row)).store_array(row);
-        };
-        set_index(&mut found.object, self.object);
+        let object = u32x16::splat(simd, self.object);
+        takes.select(object, u32x16::load_array_ref(simd, &found.object)).store_array(&mut found.object);
         if J::ANY {
-            set(&mut found.t, splat(f32::NEG_INFINITY));
+            takes.select(splat(simd, f32::NEG_INFINITY), last).store_array(&mut found.t);
             return bits;
         }
-        set(&mut found.t, t);
-        set(&mut found.u, v * scale);
-        set(&mut found.v, w * scale);
-        set_index(&mut found.primitive, primitive);
+        takes.select(t, last).store_array(&mut found.t);
+        takes.select(v * scale, load(simd, &found.u)).store_array(&mut found.u);
+        takes.select(w * scale, load(simd, &found.v)).store_array(&mut found.v);
+        let primitive = u32x16::splat(simd, primitive);
+        takes.select(primitive, u32x16::load_array_ref(simd, &found.primitive)).store_array(&mut found.primitive);
         bits
     }
 }

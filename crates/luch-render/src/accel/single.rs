@@ -105,10 +105,15 @@ pub(crate) fn trace<S: Wide, J: Job>(
 /// There is no tree: what is known already is the answer.
 fn finish_all<S: Wide, J: Job>(simd: S, scratch: &mut Scratch, job: &mut J, names: &mut dyn Iterator<Item = usize>) {
     let Scratch { groups: [[world, ..], _], found: [found, ..], .. } = scratch;
-    for name in names {
-        job.load(simd, name, world, found);
-        job.done(simd, name, found);
-    }
+    simd.vectorize(
+        #[inline(always)]
+        || {
+            for name in names {
+                job.load(simd, name, world, found);
+                job.done(simd, name, found);
+            }
+        },
+    );
 }
 
 struct Flight<'a> {

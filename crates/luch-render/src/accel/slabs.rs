@@ -1,7 +1,7 @@
 //! Rays against sixteen boxes at a time.
 
-use super::lanes::Wide;
-use super::nodes::{Leaf, Node, WIDTH};
+use super::lanes::{Wide, each, load, splat};
+use super::nodes::{Leaf, Node};
 use fearless_simd::f32x16;
 use fearless_simd::mask32x16;
 use fearless_simd::prelude::*;
@@ -63,18 +63,22 @@ impl Slabs {
     /// Meets the children of a node: where the ray enters each box, and which of them it meets.
     #[inline(always)]
     pub(crate) fn meet<S: Wide>(&self, simd: S, node: &Node) -> (f32x16<S>, mask32x16<S>) {
-        let plane = |side: u32, axis: usize| -> f32x16<S> {
-            let row: &[f32; WIDTH] = &node.planes[side as usize & 1][axis];
-            f32x16::load_array_ref(simd, row)
-        };
-        let splat = |x: f32| f32x16::splat(simd, x);
-        let (x, y, z) = (self.octant, self.octant >> 1, self.octant >> 2);
-        let near =
-            |side: u32, axis: usize| plane(side, axis).mul_add(splat(self.near_mul[axis]), splat(self.near_add[axis]));
-        let far =
-            |side: u32, axis: usize| plane(!side, axis).mul_add(splat(self.far_mul[axis]), splat(self.far_add[axis]));
-        let enter = near(x, 0).max(near(y, 1)).max(near(z, 2).max(splat(self.t_min)));
-        let leave = far(x, 0).min(far(y, 1)).min(far(z, 2).min(splat(self.t_max)));
+        let near = each(
+            #[inline(always)]
+            |axis| {
+                let plane = load(simd, &node.planes[(self.octant >> axis) as usize & 1][axis]);
+                plane.mul_add(splat(simd, self.near_mul[axis]), splat(simd, self.near_add[axis]))
+            },
+        );
+        let far = each(
+            #[inline(always)]
+            |axis| {
+                let plane = load(simd, &node.planes[!(self.octant >> axis) as usize & 1][axis]);
+                plane.mul_add(splat(simd, self.far_mul[axis]), splat(simd, self.far_add[axis]))
+            },
+        );
+        let enter = near[0].max(near[1]).max(near[2].max(splat(simd, self.t_min)));
+        let leave = far[0].min(far[1]).min(far[2].min(splat(simd, self.t_max)));
         (enter, enter.simd_le(leave))
     }
 }
@@ -83,16 +87,21 @@ impl Slabs {
     /// Meets the boxes of a leaf's triangles; a bit for each that is met.
     #[inline(always)]
     pub(crate) fn meet_triangles<S: Wide>(&self, simd: S, leaf: &Leaf) -> u32 {
-        let splat = |x: f32| f32x16::splat(simd, x);
-        let corner = leaf.corner.map(|corner| simd.index(corner));
-        let (mut enter, mut leave) = (splat(self.t_min), splat(self.t_max));
+        let corner = each(
+            #[inline(always)]
+            |k| simd.index(leaf.corner[k]),
+        );
+        let (mut enter, mut leave) = (splat(simd, self.t_min), splat(simd, self.t_max));
         for axis in 0..3 {
-            let row = f32x16::load_array_ref(simd, &leaf.vertex[axis]);
-            let [a, b, c] = corner.map(|corner| simd.pick(row, corner));
+            let row = load(simd, &leaf.vertex[axis]);
+            let [a, b, c] = each(
+                #[inline(always)]
+                |k| simd.pick(row, corner[k]),
+            );
             let (low, high) = (a.min(b).min(c), a.max(b).max(c));
             let (near, far) = if self.octant >> axis & 1 != 0 { (high, low) } else { (low, high) };
-            enter = enter.max(near.mul_add(splat(self.near_mul[axis]), splat(self.near_add[axis])));
-            leave = leave.min(far.mul_add(splat(self.far_mul[axis]), splat(self.far_add[axis])));
+            enter = enter.max(near.mul_add(splat(simd, self.near_mul[axis]), splat(simd, self.near_add[axis])));
+            leave = leave.min(far.mul_add(splat(simd, self.far_mul[axis]), splat(simd, self.far_add[axis])));
         }
         enter.simd_le(leave).to_bitmask() as u32 & ((1 << leaf.count) - 1)
     }

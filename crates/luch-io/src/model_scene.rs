@@ -31,14 +31,14 @@ pub fn scene_of_model(
     let (file, folder) = (SceneFile::of_user(path)?, SceneFolder::of_file(path)?);
     let mesh = library.mesh_of_file(&folder, &file, budget, report)?;
     let file_name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
-    Ok(around(mesh, &file_name))
+    Ok(around(&mesh, &file_name))
 }
 
 /// The scene around a mesh that came from the file `file_name`.
 #[must_use]
-pub fn around(mesh: Arc<Mesh>, file_name: &str) -> Scene {
+pub fn around(mesh: &Arc<Mesh>, file_name: &str) -> Scene {
     let name = shown_name(file_name);
-    let stage = Stage::of(&mesh);
+    let stage = Stage::of(mesh);
     let mut scene = Scene::new(name.clone());
     scene.background = Color::srgb8([0x1a, 0x1f, 0x27]);
     scene.ambient = NonNegative::clamped(0.16);
@@ -47,11 +47,11 @@ pub fn around(mesh: Arc<Mesh>, file_name: &str) -> Scene {
     scene.lights = stage.lights();
     scene.objects.push(floor());
     let object = Object {
-        material: look(&mesh),
+        material: look(mesh),
         ..Object::new(
             scene.free_name(&name),
             Shape::Mesh(MeshInstance {
-                mesh: Arc::clone(&mesh),
+                mesh: Arc::clone(mesh),
                 path: encode_name(file_name),
                 position: stage.position,
                 rotation: Rotation::NONE,
@@ -60,7 +60,7 @@ pub fn around(mesh: Arc<Mesh>, file_name: &str) -> Scene {
         )
     };
     scene.objects.push(object);
-    scene.cameras = stage.cameras(&mesh);
+    scene.cameras = stage.cameras(mesh);
     scene
 }
 
@@ -73,10 +73,21 @@ struct Stage {
     radius: f32,
 }
 
-/// Directions from the model's middle to the lamps, their distance in radii, intensity and colour.
-const LAMPS: [(&str, [f32; 3], f32, f32, [u8; 3]); 2] = [
-    ("Lamp", [-0.55, 0.95, 0.8], 4.5, 1.0, [0xff, 0xf1, 0xde]),
-    ("Fill", [0.95, 0.45, 0.6], 5.5, 0.3, [0xdc, 0xe8, 0xff]),
+/// A lamp of the stage.
+struct Lamp {
+    name: &'static str,
+    /// Direction to it from the model's middle.
+    towards: [f32; 3],
+    /// Its distance in radii of the model.
+    radii: f32,
+    intensity: f32,
+    srgb: [u8; 3],
+}
+
+/// A warm lamp from above left, as a painter's window, and a cool soft one from the right.
+const LAMPS: [Lamp; 2] = [
+    Lamp { name: "Lamp", towards: [-0.55, 0.95, 0.8], radii: 4.5, intensity: 1.0, srgb: [0xff, 0xf1, 0xde] },
+    Lamp { name: "Fill", towards: [0.95, 0.45, 0.6], radii: 5.5, intensity: 0.3, srgb: [0xdc, 0xe8, 0xff] },
 ];
 
 /// Directions from the model's middle to the cameras.
@@ -98,12 +109,11 @@ impl Stage {
         }
     }
 
-    /// A warm lamp from above left, as a painter's window, and a cool soft one from the right.
     fn lights(&self) -> Vec<Light> {
-        let light = |(name, towards, radii, intensity, color): (&str, [f32; 3], f32, f32, [u8; 3])| Light {
-            intensity: NonNegative::clamped(intensity),
-            color: Color::srgb8(color),
-            ..Light::new(name, self.towards(towards, radii))
+        let light = |lamp: Lamp| Light {
+            intensity: NonNegative::clamped(lamp.intensity),
+            color: Color::srgb8(lamp.srgb),
+            ..Light::new(lamp.name, self.towards(lamp.towards, lamp.radii))
         };
         LAMPS.map(light).into()
     }
@@ -217,7 +227,7 @@ mod tests {
     #[test]
     fn a_model_of_any_size_stands_on_the_floor_and_is_seen_whole() {
         for size in [1e-3_f32, 1.0, 30.0, 1e6] {
-            let scene = around(octahedron(Vec3::new(3.0, -7.0, 2.0) * size, size), "a.obj");
+            let scene = around(&octahedron(Vec3::new(3.0, -7.0, 2.0) * size, size), "a.obj");
             let [lo, hi] = scene.bounds().unwrap();
             assert!(lo.y.abs() < 1e-5 * size && (lo.x + hi.x).abs() < 1e-5 * size && (lo.z + hi.z).abs() < 1e-5 * size);
             let (middle, radius) = ((lo + hi) * 0.5, ((hi - lo) * 0.5).length());
@@ -241,7 +251,7 @@ mod tests {
 
     #[test]
     fn names_come_from_the_file() {
-        let name = |file: &str| around(octahedron(Vec3::ZERO, 1.0), file).objects[1].name.clone();
+        let name = |file: &str| around(&octahedron(Vec3::ZERO, 1.0), file).objects[1].name.clone();
         assert_eq!(name("Stanford bunny.obj"), "Stanford bunny");
         assert_eq!(name("Floor.obj"), "Floor 2");
         assert_eq!(name(".obj"), ".obj");

@@ -62,9 +62,13 @@ impl<'a> Cursor<'a> {
         matches!(self.rest, [] | [b'\n' | b'\r' | b'#', ..])
     }
 
-    /// Whether a number may end here: before a blank, a line's end, a comment or a continuation.
+    /// Whether a number may end here: before a blank, a line's end, a comment or a continuation. `1.#INF` and `1.#QNAN`,
+    /// as old C libraries write them, are no numbers with a comment behind.
     #[inline]
     pub(super) const fn at_delimiter(&self) -> bool {
+        if matches!(self.rest, [b'#', b'I' | b'Q' | b'S', b'N', ..]) {
+            return false;
+        }
         self.at_line_end() || matches!(self.rest, [b' ' | b'\t' | 0x0b | 0x0c | b'\\', ..])
     }
 

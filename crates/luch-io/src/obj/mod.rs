@@ -19,6 +19,8 @@
 
 mod corner;
 mod cursor;
+mod facing;
+mod fans;
 mod materials;
 pub mod mtl;
 pub mod normals;

@@ -6,17 +6,14 @@
 //! - the file has `s` statements: those of the same smoothing group; with `s off` none, the facet's own normal serves;
 //! - it has none: those that reach each other over edges that bend by at most [`CREASE_DEGREES`].
 
+use super::facing::{angle_of, at, dot, minus, unit_and_length};
+use super::fans::{Facet, HALF_CREASE_COS, join_groups, join_over_soft_edges};
 use super::triangles::{NO_NORMAL, NormalIndices, Triangles};
 use super::weld::welded;
 use crate::budget::{Budget, OverBudget};
 
 /// An edge that bends by more is sharp, where the file says nothing of smoothing.
 pub const CREASE_DEGREES: f32 = 40.0;
-/// Cosine of 40 degrees.
-const CREASE_COS: f64 = 0.766_044_443_118_978;
-/// Cosine of 20 degrees: facets within it of one facet are within 40 of each other.
-const HALF_CREASE_COS: f64 = 0.939_692_620_785_908_4;
-
 /// Gives every corner a normal. On return each normal index of `triangles` is in range.
 pub(super) fn complete(
     positions: &[[f32; 3]],
@@ -67,6 +64,7 @@ fn groups(triangles: &Triangles, budget: &mut Budget) -> Result<Option<Vec<u32>>
     Ok(Some(list))
 }
 
+/// Normals in the making.
 struct Completion<'a> {
     positions: &'a [[f32; 3]],
     vertices: &'a [[u32; 3]],
@@ -77,18 +75,17 @@ struct Completion<'a> {
     normals: &'a mut Vec<[f32; 3]>,
 }
 
-/// A corner at a vertex.
-struct Facet {
-    /// Its place: three times the triangle, plus 0, 1 or 2.
-    corner: usize,
-    /// The vertices of its triangle before and after.
-    neighbours: [u32; 2],
+/// What is known of a vertex after one look at each triangle.
+#[derive(Debug, Clone, Copy, Default)]
+struct Place {
+    /// Sum of the facets' normals, weighted by angle.
+    sum: [f64; 3],
+    /// The first facet's normal and group, once one was met.
+    first: [f64; 3],
     group: u32,
-    normal: [f64; 3],
-    /// Angle at the vertex in radians; 0 for a triangle without area.
-    angle: f64,
-    /// The first facet of its fan.
-    fan: usize,
+    is_met: bool,
+    /// Whether the facets may fall into several fans.
+    is_split: bool,
 }
 
 impl Completion<'_> {
@@ -132,14 +129,99 @@ impl Completion<'_> {
         budget: &mut Budget,
     ) -> Result<(), OverBudget> {
         let same = |vertex: u32| weld.map_or(vertex, |weld| at(weld, vertex));
-        let (ends, corners) = self.corners_by_vertex(&same, budget)?;
+        // Nearly all vertices of nearly all models have one fan: their sums need no list of corners.
+        let mut places = Vec::new();
+        budget.reserve(&mut places, self.positions.len(), "sums of normals")?;
+        places.resize(self.positions.len(), Place::default());
+        self.sum_at_vertices(&mut places, groups, &same);
+        let is_split = |vertex: u32| at(&places, vertex).is_split;
+        let split = if places.iter().any(|p| p.is_split) {
+            Some(self.corners_by_vertex(|vertex| Some(same(vertex)).filter(|v| is_split(*v)), budget)?)
+        } else {
+            None
+        };
         let count = self.positions.len();
         budget.reserve(self.normals, count, "normals")?;
-        self.normals.resize(self.base.saturating_add(count), [0.0; 3]);
+        #[allow(clippy::cast_possible_truncation, reason = "rounding to the nearest f32 is meant")]
+        self.normals.extend(places.iter().map(|p| p.sum.map(|c| c as f32)));
+        if self.own.is_some() || weld.is_some() {
+            self.name_unsplit_corners(&same, &is_split, budget)?;
+        }
+        budget.release_list(&places, places.capacity());
+        drop(places);
+        if let Some((ends, corners)) = split {
+            self.give_split_vertices_theirs(&ends, &corners, groups, &same, budget)?;
+            budget.release_list(&ends, ends.capacity());
+            budget.release_list(&corners, corners.capacity());
+        }
+        Ok(())
+    }
+
+    /// Sums the facets at each vertex, and finds the vertices where they may fall into several fans.
+    fn sum_at_vertices(&self, places: &mut [Place], groups: Option<&[u32]>, same: &impl Fn(u32) -> u32) {
+        for (triangle, vertices) in self.vertices.iter().enumerate() {
+            if !self.needs(triangle) {
+                continue;
+            }
+            let [a, b, c] = vertices.map(|v| at(self.positions, v).map(f64::from));
+            let (ab, bc, ca) = (minus(b, a), minus(c, b), minus(a, c));
+            let Some((normal, sine)) = unit_and_length(ab, bc) else { continue };
+            let cosines = [-dot(ca, ab), -dot(ab, bc), -dot(bc, ca)];
+            let group = groups.and_then(|g| g.get(triangle)).copied().unwrap_or(0);
+            for (vertex, cosine) in vertices.iter().zip(cosines) {
+                let Some(place) = usize::try_from(same(*vertex)).ok().and_then(|v| places.get_mut(v)) else { continue };
+                let angle = angle_of(sine, cosine);
+                for (sum, n) in place.sum.iter_mut().zip(normal) {
+                    *sum += n * angle;
+                }
+                if !place.is_met {
+                    (place.is_met, place.first, place.group) = (true, normal, group);
+                } else if groups.is_some() {
+                    place.is_split |= place.group != group;
+                } else {
+                    // Within half the angle of one facet they are within the angle of each other.
+                    place.is_split |= dot(place.first, normal) <= HALF_CREASE_COS;
+                }
+            }
+        }
+    }
+
+    /// Tells the corners at vertices with one fan where its normal lies.
+    fn name_unsplit_corners(
+        &mut self,
+        same: &impl Fn(u32) -> u32,
+        is_split: &impl Fn(u32) -> bool,
+        budget: &mut Budget,
+    ) -> Result<(), OverBudget> {
+        // Asked before the first answer: from then on there is a list, and it looks as if it had come from the file.
+        let all = self.own.is_none();
+        for (triangle, vertices) in self.vertices.iter().enumerate() {
+            if !all && !self.needs(triangle) {
+                continue;
+            }
+            for (k, vertex) in vertices.iter().enumerate() {
+                let vertex = same(*vertex);
+                let number = usize::try_from(vertex).ok().and_then(|v| self.base.checked_add(v));
+                if let (false, Some(number)) = (is_split(vertex), number.and_then(|n| u32::try_from(n).ok())) {
+                    self.set(triangle.saturating_mul(3).saturating_add(k), number, budget)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn give_split_vertices_theirs(
+        &mut self,
+        ends: &[u32],
+        corners: &[u32],
+        groups: Option<&[u32]>,
+        same: &impl Fn(u32) -> u32,
+        budget: &mut Budget,
+    ) -> Result<(), OverBudget> {
         let mut facets: Vec<Facet> = Vec::new();
         let mut order: Vec<(u32, usize)> = Vec::new();
         let mut start = 0_usize;
-        for (vertex, end) in ends.iter().enumerate().take(count) {
+        for (vertex, end) in ends.iter().enumerate().take(self.positions.len()) {
             let end = usize::try_from(*end).unwrap_or(usize::MAX);
             let here = corners.get(start..end).unwrap_or(&[]);
             start = end;
@@ -147,37 +229,34 @@ impl Completion<'_> {
                 continue;
             }
             facets.clear();
-            facets.extend(here.iter().filter_map(|c| self.facet(*c, groups, &same)));
+            facets.extend(here.iter().filter_map(|c| self.facet(*c, groups, same)));
             match groups {
                 Some(_) => join_groups(&mut facets, &mut order),
                 None => join_over_soft_edges(&mut facets, &mut order),
             }
             self.give_normals(vertex, &facets, &mut order, budget)?;
         }
-        budget.release_list(&ends, ends.capacity());
-        budget.release_list(&corners, corners.capacity());
         Ok(())
     }
 
-    /// The corners without normals, sorted by vertex: where each vertex's end, and their places.
+    /// The corners without normals, sorted by vertex: where each vertex's end, and their places. `slot` is the vertex
+    /// that a corner belongs to, if it is wanted.
     fn corners_by_vertex(
         &self,
-        same: &dyn Fn(u32) -> u32,
+        slot: impl Fn(u32) -> Option<u32>,
         budget: &mut Budget,
     ) -> Result<(Vec<u32>, Vec<u32>), OverBudget> {
         let mut ends: Vec<u32> = Vec::new();
         budget.reserve(&mut ends, self.positions.len().saturating_add(1), "corners of vertices")?;
         ends.resize(self.positions.len().saturating_add(1), 0);
         let wanted = || (0_u32..).zip(self.vertices).enumerate().filter(|(t, _)| self.needs(*t)).map(|(_, v)| v);
-        let slot = |vertex: u32| usize::try_from(same(vertex)).unwrap_or(usize::MAX);
+        let slot = |vertex: u32| slot(vertex).and_then(|v| usize::try_from(v).ok());
         let mut total = 0_usize;
-        for (_, triangle) in wanted() {
-            total = total.saturating_add(3);
-            for vertex in triangle {
-                // One place further, so that the running sum below yields beginnings.
-                if let Some(n) = ends.get_mut(slot(*vertex).saturating_add(1)) {
-                    *n = n.saturating_add(1);
-                }
+        for vertex in wanted().flat_map(|(_, triangle)| triangle) {
+            // One place further, so that the running sum below yields beginnings.
+            if let Some(n) = slot(*vertex).and_then(|v| ends.get_mut(v.saturating_add(1))) {
+                *n = n.saturating_add(1);
+                total = total.saturating_add(1);
             }
         }
         let mut sum = 0_u32;
@@ -190,7 +269,7 @@ impl Completion<'_> {
         corners.resize(total, 0_u32);
         for (t, triangle) in wanted() {
             for (k, vertex) in (0_u32..).zip(triangle) {
-                if let Some(place) = ends.get_mut(slot(*vertex)) {
+                if let Some(place) = slot(*vertex).and_then(|v| ends.get_mut(v)) {
                     if let Some(corner) = usize::try_from(*place).ok().and_then(|p| corners.get_mut(p)) {
                         *corner = t.saturating_mul(3).saturating_add(k);
                     }
@@ -201,7 +280,7 @@ impl Completion<'_> {
         Ok((ends, corners))
     }
 
-    fn facet(&self, corner: u32, groups: Option<&[u32]>, same: &dyn Fn(u32) -> u32) -> Option<Facet> {
+    fn facet(&self, corner: u32, groups: Option<&[u32]>, same: &impl Fn(u32) -> u32) -> Option<Facet> {
         let corner = usize::try_from(corner).ok()?;
         let triangle = corner / 3;
         let [a, b, c] = *self.vertices.get(triangle)?;
@@ -213,7 +292,8 @@ impl Completion<'_> {
         let place = |v: u32| at(self.positions, v).map(f64::from);
         let p = place(here);
         let (u, v) = (minus(place(after), p), minus(place(before), p));
-        let (normal, angle) = normal_and_angle(u, v);
+        let (normal, angle) =
+            unit_and_length(u, v).map_or(([0.0; 3], 0.0), |(n, length)| (n, angle_of(length, dot(u, v))));
         let group = groups.and_then(|g| g.get(triangle)).copied().unwrap_or(0);
         Some(Facet { corner, neighbours: [same(after), same(before)], group, normal, angle, fan: 0 })
     }
@@ -226,33 +306,45 @@ impl Completion<'_> {
         order: &mut Vec<(u32, usize)>,
         budget: &mut Budget,
     ) -> Result<(), OverBudget> {
+        let first = self.base.saturating_add(vertex);
+        if facets.iter().all(|f| f.fan == 0) {
+            return self.give_fan_its_normal(first, facets.iter(), budget);
+        }
         order.clear();
         order.extend(facets.iter().enumerate().map(|(i, f)| (u32::try_from(f.fan).unwrap_or(u32::MAX), i)));
         order.sort_unstable();
         for fan in order.chunk_by(|a, b| a.0 == b.0) {
-            let facets = || fan.iter().filter_map(|(_, i)| facets.get(*i));
-            let mut sum = [0.0_f64; 3];
-            for facet in facets() {
-                let [x, y, z] = facet.normal;
-                sum = [sum[0] + x * facet.angle, sum[1] + y * facet.angle, sum[2] + z * facet.angle];
-            }
-            #[allow(clippy::cast_possible_truncation, reason = "rounding to the nearest f32 is meant")]
-            let sum = sum.map(|c| c as f32);
-            let is_first = matches!(fan, [(0, _), ..]);
-            let number = if is_first { self.base.saturating_add(vertex) } else { self.normals.len() };
-            match self.normals.get_mut(number) {
-                Some(slot) => *slot = sum,
-                None => {
-                    if self.normals.len() == self.normals.capacity() {
-                        budget.reserve(self.normals, (self.normals.len() / 2).max(64), "normals")?;
-                    }
-                    self.normals.push(sum);
+            let number = if matches!(fan, [(0, _), ..]) { first } else { self.normals.len() };
+            self.give_fan_its_normal(number, fan.iter().filter_map(|(_, i)| facets.get(*i)), budget)?;
+        }
+        Ok(())
+    }
+
+    fn give_fan_its_normal<'f>(
+        &mut self,
+        number: usize,
+        fan: impl Iterator<Item = &'f Facet> + Clone,
+        budget: &mut Budget,
+    ) -> Result<(), OverBudget> {
+        let mut sum = [0.0_f64; 3];
+        for facet in fan.clone() {
+            let [x, y, z] = facet.normal;
+            sum = [sum[0] + x * facet.angle, sum[1] + y * facet.angle, sum[2] + z * facet.angle];
+        }
+        #[allow(clippy::cast_possible_truncation, reason = "rounding to the nearest f32 is meant")]
+        let sum = sum.map(|c| c as f32);
+        match self.normals.get_mut(number) {
+            Some(slot) => *slot = sum,
+            None => {
+                if self.normals.len() == self.normals.capacity() {
+                    budget.reserve(self.normals, (self.normals.len() / 2).max(64), "normals")?;
                 }
+                self.normals.push(sum);
             }
-            let number = u32::try_from(number).unwrap_or(u32::MAX);
-            for facet in facets() {
-                self.set(facet.corner, number, budget)?;
-            }
+        }
+        let number = u32::try_from(number).unwrap_or(u32::MAX);
+        for facet in fan {
+            self.set(facet.corner, number, budget)?;
         }
         Ok(())
     }
@@ -274,95 +366,4 @@ impl Completion<'_> {
         }
         Ok(())
     }
-}
-
-/// One fan for each smoothing group.
-fn join_groups(facets: &mut [Facet], order: &mut Vec<(u32, usize)>) {
-    order.clear();
-    order.extend(facets.iter().enumerate().map(|(i, f)| (f.group, i)));
-    order.sort_unstable();
-    for same in order.chunk_by(|a, b| a.0 == b.0) {
-        let Some((_, first)) = same.first() else { continue };
-        for (_, i) in same {
-            if let Some(facet) = facets.get_mut(*i) {
-                facet.fan = *first;
-            }
-        }
-    }
-}
-
-/// One fan for all that hang together by edges that do not bend much.
-fn join_over_soft_edges(facets: &mut [Facet], order: &mut Vec<(u32, usize)>) {
-    // Nearly always the whole neighbourhood is about flat; `fan` is 0 already.
-    let first = facets.first().map_or([0.0; 3], |f| f.normal);
-    if facets.iter().all(|f| dot(first, f.normal) > HALF_CREASE_COS) {
-        return;
-    }
-    facets.iter_mut().enumerate().for_each(|(i, f)| f.fan = i);
-    order.clear();
-    order.extend(facets.iter().enumerate().flat_map(|(i, f)| f.neighbours.map(|n| (n, i))));
-    order.sort_unstable();
-    for pair in order.windows(2) {
-        let [(v, i), (w, j)] = *pair else { continue };
-        let normal = |i: usize| facets.get(i).map_or([0.0; 3], |f| f.normal);
-        if v == w && dot(normal(i), normal(j)) >= CREASE_COS {
-            let (a, b) = (root(facets, i), root(facets, j));
-            if let Some(facet) = facets.get_mut(a.max(b)) {
-                facet.fan = a.min(b);
-            }
-        }
-    }
-    for i in 0..facets.len() {
-        let root = root(facets, i);
-        if let Some(facet) = facets.get_mut(i) {
-            facet.fan = root;
-        }
-    }
-}
-
-/// The first facet of the fan so far, with the path to it made shorter.
-fn root(facets: &mut [Facet], mut i: usize) -> usize {
-    loop {
-        let parent = facets.get(i).map_or(i, |f| f.fan);
-        if parent == i {
-            return i;
-        }
-        let above = facets.get(parent).map_or(parent, |f| f.fan);
-        if let Some(facet) = facets.get_mut(i) {
-            facet.fan = above;
-        }
-        i = above;
-    }
-}
-
-/// Unit normal of two edges from a vertex, and the angle between them; zeros if they span no area.
-fn normal_and_angle(u: [f64; 3], v: [f64; 3]) -> ([f64; 3], f64) {
-    let n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
-    let length = dot(n, n).sqrt();
-    let edges = (dot(u, u) * dot(v, v)).sqrt();
-    // Below f64's own rounding the direction would be noise.
-    if length <= edges * 1e-14 || length.is_nan() {
-        return ([0.0; 3], 0.0);
-    }
-    (n.map(|c| c / length), arc_cosine(dot(u, v) / edges))
-}
-
-/// Arc cosine to 7e-5, which is plenty for a weight (Abramowitz and Stegun, 4.4.45); only roots and products, so that
-/// every machine finds the same bits.
-fn arc_cosine(x: f64) -> f64 {
-    let a = x.abs().min(1.0);
-    let near_one = (1.0 - a).sqrt() * (1.570_728_8 + a * (-0.212_114_4 + a * (0.074_261 - a * 0.018_729_3)));
-    if x < 0.0 { std::f64::consts::PI - near_one } else { near_one }
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-fn at<T: Copy + Default>(list: &[T], i: u32) -> T {
-    usize::try_from(i).ok().and_then(|i| list.get(i)).copied().unwrap_or_default()
 }

@@ -1,12 +1,15 @@
 //! The reader proper: one pass over the text, statement by statement.
 
-use super::corner::{CornerFault, Counts, corner};
+mod faces;
+mod faults;
+
+use super::corner::Counts;
 use super::cursor::Cursor;
 use super::materials::MaterialNames;
 use super::number::float;
-use super::place::{line_of, place_at, shown};
-use super::triangles::{Corner, NO_NORMAL, Triangles, grow};
-use super::{MAX_CORNERS, MAX_LINE, triangulate};
+use super::place::{line_of, shown};
+use super::triangles::{Corner, Triangles, grow};
+use super::{MAX_LINE, triangulate};
 use crate::budget::{Budget, OverBudget};
 use crate::error::{Error, ErrorKind, Result};
 use crate::report::Report;
@@ -39,6 +42,7 @@ pub(super) fn parse<'a>(text: &'a [u8], file: &Path, budget: &mut Budget, report
         corners: Vec::new(),
         later: Vec::new(),
         points: 0,
+        degenerate: 0,
         effort: triangulate::EFFORT,
         unknown: BTreeSet::new(),
     };
@@ -64,6 +68,8 @@ struct Reader<'a, 'r> {
     later: Vec<Polygon>,
     /// Lines and points that were skipped.
     points: u64,
+    /// Faces without area that were dropped.
+    degenerate: u64,
     /// What may still be spent on concave polygons.
     effort: u64,
     /// Unknown statements that were told.
@@ -186,135 +192,6 @@ impl<'a> Reader<'a, '_> {
         Ok(())
     }
 
-    /// `f` and its corners.
-    fn face(&mut self, tail: &'a [u8]) -> Result<()> {
-        let text_left = self.cursor.rest().len();
-        self.cursor.jump(tail);
-        self.corners.clear();
-        let mut without_normal = 0_usize;
-        loop {
-            self.cursor.skip_blanks();
-            if self.cursor.at_line_end() {
-                break;
-            }
-            let here = self.cursor;
-            let read = corner(here.rest(), here.offset(), &mut self.counts);
-            let (corner, rest) = read.map_err(|fault| self.corner_fault(fault))?;
-            self.cursor.jump(rest);
-            if !self.cursor.at_delimiter() {
-                self.cursor = here;
-                return Err(self.corner_fault(CornerFault::Form));
-            }
-            without_normal = without_normal.wrapping_add(usize::from(corner.normal == NO_NORMAL));
-            if self.corners.len() == MAX_CORNERS {
-                let text = format!("a face has more than {MAX_CORNERS} corners");
-                return Err(self.fault(ErrorKind::Limit, here.offset(), here.peek_token().len(), text));
-            }
-            self.corners.push(corner);
-        }
-        if without_normal > 0 && without_normal < self.corners.len() {
-            self.warn("faces where a corner lacks its normal get computed ones", String::new());
-            self.corners.iter_mut().for_each(|c| c.normal = NO_NORMAL);
-        }
-        self.drop_repeated_corners();
-        match *self.corners.as_slice() {
-            [a, b, c] => self.out.triangles.push([a, b, c], text_left, self.budget).map_err(|e| e.in_file(self.file)),
-            [_, _, _, _, ..] => self.polygon(text_left),
-            _ => Ok(()),
-        }
-    }
-
-    /// A corner that repeats its neighbour adds nothing; what has fewer than three corners is no face.
-    #[inline]
-    fn drop_repeated_corners(&mut self) {
-        let corners = &mut self.corners;
-        let read = corners.len();
-        let closes = |list: &[Corner]| matches!(list, [first, .., last] if first.vertex == last.vertex);
-        let repeats = |list: &[Corner]| list.windows(2).any(|w| matches!(w, [a, b] if a.vertex == b.vertex));
-        if repeats(corners) || closes(corners) {
-            corners.dedup_by_key(|c| c.vertex);
-            while closes(corners) {
-                corners.pop();
-            }
-        }
-        let left = corners.len();
-        if left < 3 {
-            let kind = if read < 3 { "faces of fewer than three corners are skipped" } else { DEGENERATE };
-            self.warn(kind, format!("{read} corners"));
-        } else if left < read {
-            self.warn("corners that repeat their neighbour are dropped", String::new());
-        }
-    }
-
-    /// More than three corners: now if their vertices are known, else at the end.
-    fn polygon(&mut self, text_left: usize) -> Result<()> {
-        let known = self.out.positions.len();
-        let is_known = |c: &Corner| usize::try_from(c.vertex).is_ok_and(|v| v < known);
-        if self.corners.iter().all(is_known) {
-            let corners = std::mem::take(&mut self.corners);
-            let done = self.add_polygon(&corners, text_left, self.statement);
-            self.corners = corners;
-            return done;
-        }
-        let over = |e: OverBudget| e.in_file(self.file);
-        let mut corners = Vec::new();
-        self.budget.reserve(&mut corners, self.corners.len(), "polygons").map_err(over)?;
-        corners.extend_from_slice(&self.corners);
-        grow(&mut self.later, text_left / 8, "polygons", self.budget).map_err(over)?;
-        self.later.push(Polygon {
-            corners,
-            smoothing: self.out.triangles.smoothing.last(),
-            material: self.out.triangles.materials.last(),
-            statement: self.statement,
-        });
-        Ok(())
-    }
-
-    fn add_polygon(&mut self, corners: &[Corner], text_left: usize, statement: usize) -> Result<()> {
-        let outline: Vec<[f32; 3]> = corners.iter().filter_map(|c| self.position(c.vertex)).collect();
-        let result = triangulate::polygon(&outline, &mut self.effort);
-        if result.is_tangled {
-            let place = || format!("{}:{}", self.file.display(), line_of(self.cursor.text(), statement));
-            self.report.warn("polygons that cross themselves are filled as well as can be", place);
-        }
-        for ears in result.triangles {
-            let [Some(a), Some(b), Some(c)] = ears.map(|i| usize::try_from(i).ok().and_then(|i| corners.get(i))) else {
-                continue;
-            };
-            // Outlines that touch themselves make such; they have no area.
-            if a.vertex == b.vertex || b.vertex == c.vertex || c.vertex == a.vertex {
-                continue;
-            }
-            let left = text_left.saturating_add(corners.len().saturating_mul(2));
-            self.out.triangles.push([*a, *b, *c], left, self.budget).map_err(|e| e.in_file(self.file))?;
-        }
-        if corners.len() > 1000 {
-            self.budget.check_cancelled(self.file)?;
-        }
-        Ok(())
-    }
-
-    fn position(&self, vertex: u32) -> Option<[f32; 3]> {
-        self.out.positions.get(usize::try_from(vertex).ok()?).copied()
-    }
-
-    fn triangulate_what_came_early(&mut self) -> Result<()> {
-        for polygon in std::mem::take(&mut self.later) {
-            let first = self.out.triangles.len();
-            let over = |e: OverBudget| e.in_file(self.file);
-            if let Some(group) = polygon.smoothing {
-                self.out.triangles.smoothing.set(first, group, self.budget).map_err(over)?;
-            } else if !self.out.triangles.smoothing.is_empty() {
-                self.out.triangles.smoothing.set(first, 0, self.budget).map_err(over)?;
-            }
-            let material = polygon.material.unwrap_or(MaterialNames::NONE);
-            self.out.triangles.materials.set(first, material, self.budget).map_err(over)?;
-            self.add_polygon(&polygon.corners, 0, polygon.statement)?;
-            self.budget.release_list(&polygon.corners, polygon.corners.capacity());
-        }
-        Ok(())
-    }
-
     /// Everything that is rare.
     #[cold]
     fn other_statement(&mut self) -> Result<()> {
@@ -409,7 +286,7 @@ impl<'a> Reader<'a, '_> {
             return Ok(());
         }
         let vertices = self.out.positions.len();
-        let text = match (vertices, self.points, self.report.count(DEGENERATE)) {
+        let text = match (vertices, self.points, self.degenerate) {
             (0, _, _) => "the file has no faces and no vertices: is it an OBJ model?".to_owned(),
             (_, _, 1..) => "the file has no faces with an area".to_owned(),
             (_, 0, _) => format!("the file has {vertices} vertices but no faces"),
@@ -417,60 +294,7 @@ impl<'a> Reader<'a, '_> {
         };
         Err(Error::new(ErrorKind::Malformed, self.file, text).hint("only faces (\"f\" statements) can be rendered"))
     }
-
-    #[cold]
-    fn corner_fault(&self, fault: CornerFault) -> Error {
-        let token = self.cursor.peek_token();
-        let word = shown(token);
-        let (text, hint) = match fault {
-            CornerFault::Form => {
-                (format!("\"{word}\" is no corner of a face"), "a corner is 1, 1/2, 1//3 or 1/2/3, of whole numbers")
-            }
-            CornerFault::Zero => (format!("\"{word}\" has the index 0"), "indices count from 1, or back from -1"),
-            CornerFault::Before { what, index, count } => (
-                format!("{what} {index} does not exist: {count} come before this line"),
-                "an index below zero counts back from the line it stands in",
-            ),
-            CornerFault::Huge => {
-                (format!("\"{word}\" has an index that no model reaches"), "indices are below 4294967295")
-            }
-        };
-        self.fault(ErrorKind::Malformed, self.cursor.offset(), token.len(), text).hint(hint)
-    }
-
-    /// The error of a word that should be a number, or of a line that ends too early.
-    #[cold]
-    fn number_fault(&self, missing: &str, hint: &str) -> Error {
-        if self.cursor.at_line_end() {
-            let text = format!("the line ends too early: {missing}");
-            return self.fault(ErrorKind::Malformed, self.cursor.offset(), 1, text);
-        }
-        let token = self.cursor.peek_token();
-        let word = shown(token);
-        let (text, hint) = match float(self.cursor.rest()) {
-            Some((_, [b',', ..])) => (format!("\"{word}\" is not a number"), "the decimal separator is a point"),
-            Some((_, rest)) if Cursor::new(rest).at_delimiter() => (format!("{word} is too large"), hint),
-            _ => (format!("\"{word}\" is not a number"), hint),
-        };
-        self.fault(ErrorKind::Malformed, self.cursor.offset(), token.len(), text).hint(hint)
-    }
-
-    fn fault(&self, kind: ErrorKind, offset: usize, length: usize, text: String) -> Error {
-        Error::new(kind, self.file, text).at(place_at(self.cursor.text(), offset, length))
-    }
-
-    /// Warns about the statement being read: `what (file:line)`, or only the place.
-    fn warn(&mut self, kind: &'static str, what: String) {
-        let (file, text, statement) = (self.file, self.cursor.text(), self.statement);
-        self.report.warn(kind, move || {
-            let line = line_of(text, statement);
-            let place = format!("{}:{line}", file.display());
-            if what.is_empty() { place } else { format!("{what} ({place})") }
-        });
-    }
 }
-
-const DEGENERATE: &str = "faces without area are dropped";
 
 fn token_length(text: &[u8], offset: usize) -> usize {
     text.get(offset..).map_or(1, |rest| Cursor::new(rest).peek_token().len())

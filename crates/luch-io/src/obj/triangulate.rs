@@ -112,6 +112,8 @@ struct Clipper {
     /// Whether a corner is still there and does not bend outwards, so that it may lie in an ear.
     blocks: Vec<bool>,
     gone: Vec<bool>,
+    /// A corner that is still there.
+    some: u32,
     grid: Grid,
 }
 
@@ -124,6 +126,7 @@ impl Clipper {
             previous: (0..count).map(|i| if i == 0 { last } else { i.saturating_sub(1) }).collect(),
             blocks: Vec::new(),
             gone: vec![false; points.len()],
+            some: 0,
             grid: Grid::default(),
             points,
         };
@@ -146,7 +149,7 @@ impl Clipper {
                     clipped_since_scan = false;
                     continue;
                 }
-                let corner = self.least_bad();
+                let corner = self.least_bad(effort);
                 result.is_tangled |= self.bend(corner) != 0.0;
                 self.clip(corner, &mut result.triangles, &mut waiting);
                 left = left.saturating_sub(1);
@@ -171,6 +174,7 @@ impl Clipper {
         let [before, _, after] = self.ear(corner);
         triangles.push([before, corner, after]);
         set(&mut self.gone, corner, true);
+        self.some = before;
         set(&mut self.blocks, corner, false);
         set(&mut self.next, before, after);
         set(&mut self.previous, after, before);
@@ -183,12 +187,27 @@ impl Clipper {
         }
     }
 
-    /// What to clip when there is no ear: a corner without area if there is one, else one that bends outwards.
-    fn least_bad(&self) -> u32 {
-        let count = u32::try_from(self.points.len()).unwrap_or(u32::MAX);
-        let left = || (0..count).filter(|i| !self.is_gone(*i));
-        let straight = left().find(|i| self.bend(*i) == 0.0);
-        straight.or_else(|| left().find(|i| self.bend(*i) > 0.0)).or_else(|| left().next()).unwrap_or(0)
+    /// What to clip when there is no ear: a corner without area if there is one, else one that bends outwards; any, once
+    /// the effort is used up.
+    fn least_bad(&self, effort: &mut u64) -> u32 {
+        let last = get(&self.previous, self.some);
+        let mut best = self.some;
+        let mut bends_outwards = false;
+        let mut i = self.some;
+        loop {
+            *effort = effort.saturating_sub(1);
+            let bend = self.bend(i);
+            if bend == 0.0 {
+                return i;
+            }
+            if bend > 0.0 && !bends_outwards {
+                (best, bends_outwards) = (i, true);
+            }
+            if *effort == 0 || i == last {
+                return best;
+            }
+            i = get(&self.next, i);
+        }
     }
 
     /// Whether the corner bends outwards and nothing lies in the triangle that goes with it.

@@ -1,5 +1,6 @@
 //! Tools of the Luch repository, as a library so that their results can be tested.
 
+pub mod gallery;
 pub mod models;
 
 /// Where `cargo xtask models` writes unless told otherwise, whatever the current folder.

@@ -17,6 +17,8 @@ const POLL: DVec2 = DVec2::new(0.5, 54.8);
 /// The direction from the poll to the muzzle.
 const NOSE: DVec2 = DVec2::new(0.811, -0.585);
 
+/// Below this height (less a margin) there is only the neck.
+const JAW: f64 = 38.0;
 /// The head is drawn a little smaller than it is.
 const HEAD: f64 = 1.06;
 
@@ -61,6 +63,9 @@ impl Horse {
         let neck = self.neck.at_nearest(&near, p.z);
         let chest = ellipsoid(q - DVec3::new(6.0, 22.5, 3.2), DVec3::new(4.6, 6.5, 4.0));
         let neck = mane::over(smooth_min(neck, chest, 2.5), &near, extent, q.z);
+        if q.y < JAW - 5.0 {
+            return neck;
+        }
         let h = in_head(q) / HEAD;
         let d = smooth_min(neck, mane::forelock(h, self.face.at(h)) * HEAD, 0.6);
         ears(q, d)

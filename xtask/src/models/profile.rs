@@ -110,6 +110,16 @@ impl Segment {
         }
     }
 
+    /// A lower bound of the distance from `p`.
+    fn distance_bound(&self, p: DVec2) -> f64 {
+        let from_box = |low: DVec2, high: DVec2| (p - p.clamp(low, high)).length();
+        match *self {
+            Self::Line(a, b) => from_box(a.min(b), a.max(b)),
+            Self::Arc { center, radius, .. } => (p.distance(center) - radius).abs(),
+            Self::Curve([a, b, c, d]) => from_box(a.min(b).min(c).min(d), a.max(b).max(c).max(d)),
+        }
+    }
+
     /// The parameter of the point nearest to `p`: exact for lines and arcs, Newton from sampled seeds for curves.
     fn nearest(&self, p: DVec2) -> f64 {
         match *self {
@@ -243,6 +253,9 @@ impl Profile {
         let mut best = f64::INFINITY;
         let mut side = 0.0;
         for (i, segment) in self.segments.iter().enumerate() {
+            if segment.distance_bound(p) >= best {
+                continue;
+            }
             let t = segment.nearest(p);
             let offset = p - segment.point(t);
             let distance = offset.length();

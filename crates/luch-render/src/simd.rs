@@ -1,6 +1,6 @@
 //! Which instruction set the kernels use. It changes the time of a picture, never a bit of it.
 
-use fearless_simd::Level;
+use fearless_simd::{Level, Simd as _};
 
 /// An instruction set that the user may ask for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -8,8 +8,8 @@ pub enum SimdLevel {
     /// The best that this machine has.
     #[default]
     Auto,
-    /// Plain scalar code in the ray queries, and in shading what every machine of the target has (SSE2 on x86-64): the
-    /// picture that all others must equal.
+    /// What every machine of the target has without asking, which is what plain scalar code is compiled to: SSE2 on
+    /// x86-64, NEON on 64-bit ARM. The picture that all others must equal.
     Scalar,
     /// SSE4.2, 4 lanes.
     Sse42,
@@ -70,7 +70,7 @@ impl SimdLevel {
         let best = Level::new();
         match self {
             Self::Auto => Some(best),
-            Self::Scalar => Some(Level::fallback()),
+            Self::Scalar => Some(baseline().level()),
             #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
             Self::Sse42 => best.as_sse4_2().map(Level::Sse4_2),
             #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]

@@ -40,13 +40,15 @@ impl MeshTree {
         if items.is_empty() {
             return Self { tree: Arc::new(tree), bounds: Bounds::EMPTY };
         }
-        tree.reach = reach(&items);
         let maker = Patches { positions, triangles };
         let binary = at_level!(level(), simd => binary_tree(simd, items, &maker, threads.max(1)));
         let (root, depth) = widen(&binary.nodes, Link::leaf, &mut tree.nodes);
         (tree.root, tree.depth) = (Some(root), depth);
-        (tree.leaves, tree.primitives) = binary.leaves.into_iter().unzip();
+        tree.leaves = binary.leaves;
+        tree.leaves.shrink_to_fit();
+        tree.nodes.shrink_to_fit();
         tree.bounds = corners(&binary.nodes[0].bounds);
+        tree.reach = reach(&tree.bounds);
         let bounds = Bounds { min: tree.bounds[0].into(), max: tree.bounds[1].into() };
         Self { tree: Arc::new(tree), bounds }
     }
@@ -58,8 +60,8 @@ impl MeshTree {
 
     /// Bytes of memory it holds.
     pub fn memory_bytes(&self) -> usize {
-        let Tree { nodes, leaves, primitives, .. } = &*self.tree;
-        size_of_val(nodes.as_slice()) + size_of_val(leaves.as_slice()) + size_of_val(primitives.as_slice())
+        let Tree { nodes, leaves, .. } = &*self.tree;
+        size_of_val(nodes.as_slice()) + size_of_val(leaves.as_slice())
     }
 
     /// Figures about its shape.

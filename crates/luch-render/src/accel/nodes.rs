@@ -96,7 +96,7 @@ impl Node {
 }
 
 /// Up to sixteen triangles over up to sixteen vertices. A patch of a mesh shares most of its vertices, so this takes a
-/// third of the memory of separate triangles and lets a kernel bring each vertex into the ray's frame once. 256 bytes.
+/// third of the memory of separate triangles and lets a kernel bring each vertex into the ray's frame once. 320 bytes.
 #[derive(Clone, Debug)]
 #[repr(C, align(64))]
 pub(crate) struct Leaf {
@@ -108,6 +108,8 @@ pub(crate) struct Leaf {
     pub(crate) bounds: [[f32; 3]; 2],
     /// Number of triangles.
     pub(crate) count: u32,
+    /// Indices of the triangles in the mesh; on a cache line of their own, read for a hit only.
+    pub(crate) primitive: [u32; WIDTH],
 }
 
 /// Nodes and leaves of one tree, the root first.
@@ -115,8 +117,6 @@ pub(crate) struct Leaf {
 pub(crate) struct Tree {
     pub(crate) nodes: Vec<Node>,
     pub(crate) leaves: Vec<Leaf>,
-    /// Triangle indices of each leaf: cold, read for a hit only.
-    pub(crate) primitives: Vec<[u32; WIDTH]>,
     pub(crate) root: Option<Link>,
     /// Nodes on the longest way down.
     pub(crate) depth: usize,

@@ -1,6 +1,6 @@
 //! The objects of a scene as the kernels see them.
 
-use super::build::{Item, LeafMaker, binary_tree, corners, level, pack, widen};
+use super::build::{Item, LeafMaker, binary_tree, corners, index, level, pack, reach, widen};
 use super::geometry::{Geometry, ObjectFromWorld};
 use super::group::{Found, Group};
 use super::lanes::at_level;
@@ -107,7 +107,7 @@ impl LeafMaker for OneEach {
     const MOST: usize = 1;
 
     fn make(&self, items: &[Item]) -> Option<u32> {
-        items.first().map(|item| item[3].to_bits())
+        items.first().map(index)
     }
 }
 
@@ -116,9 +116,9 @@ fn tree_of(items: Vec<Item>) -> Tree {
     if items.is_empty() {
         return tree;
     }
-    tree.reach = super::build::reach(&items);
     let binary = at_level!(level(), simd => binary_tree(simd, items, &OneEach, 1));
     tree.bounds = corners(&binary.nodes[0].bounds);
+    tree.reach = reach(&tree.bounds);
     let (root, depth) = widen(&binary.nodes, |leaf| Link::object(binary.leaves[leaf as usize]), &mut tree.nodes);
     (tree.root, tree.depth) = (Some(root), depth);
     tree

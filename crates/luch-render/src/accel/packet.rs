@@ -210,7 +210,7 @@ impl Walk<'_> {
             if rays == 0 {
                 continue;
             }
-            let hit = self.leaf::<S, J>(simd, leaf, &self.tree.primitives[index], found, rays);
+            let hit = self.leaf::<S, J>(simd, leaf, found, rays);
             if hit == 0 {
                 continue;
             }
@@ -226,14 +226,7 @@ impl Walk<'_> {
 
     /// Tests a leaf; returns the rays that found something.
     #[inline(always)]
-    fn leaf<S: Wide, J: Job>(
-        &self,
-        simd: S,
-        leaf: &Leaf,
-        primitives: &[u32; WIDTH],
-        found: &mut Found,
-        rays: u32,
-    ) -> u32 {
+    fn leaf<S: Wide, J: Job>(&self, simd: S, leaf: &Leaf, found: &mut Found, rays: u32) -> u32 {
         let mut triangles = self.bundle.slabs.meet_triangles(simd, leaf);
         let mut hit = 0;
         match self.bundle.along {
@@ -241,8 +234,7 @@ impl Walk<'_> {
                 while triangles != 0 {
                     let lane = triangles.trailing_zeros() as usize & (WIDTH - 1);
                     triangles &= triangles - 1;
-                    let triangle = (leaf, lane, primitives[lane]);
-                    hit |= self.triangle::<S, J>(simd, triangle, along as usize, found, rays & !hit_if::<J>(hit));
+                    hit |= self.triangle::<S, J>(simd, (leaf, lane), along as usize, found, rays & !hit_if::<J>(hit));
                     if J::ANY && rays & !hit == 0 {
                         break;
                     }
@@ -253,7 +245,7 @@ impl Walk<'_> {
                 while rest != 0 {
                     let lane = rest.trailing_zeros() as usize & (LANES - 1);
                     rest &= rest - 1;
-                    if ray_in_leaf::<S, J>(simd, self.group, lane, leaf, primitives, self.object, found) {
+                    if ray_in_leaf::<S, J>(simd, self.group, lane, leaf, self.object, found) {
                         hit |= 1 << lane;
                     }
                 }
@@ -269,13 +261,13 @@ impl Walk<'_> {
     fn triangle<S: Wide, J: Job>(
         &self,
         simd: S,
-        (leaf, lane, primitive): (&Leaf, usize, u32),
+        (leaf, lane): (&Leaf, usize),
         along: usize,
         found: &mut Found,
         rays: u32,
     ) -> u32 {
         const AXES: [[usize; 3]; 3] = [[1, 2, 0], [2, 0, 1], [0, 1, 2]];
-        let axes = AXES[along % 3];
+        let (axes, primitive) = (AXES[along % 3], leaf.primitive[lane]);
         let group = self.group;
         let (sx, sy) = (load(simd, &group.shear[0]), load(simd, &group.shear[1]));
         let origin = each(
@@ -351,7 +343,6 @@ pub(crate) fn ray_in_leaf<S: Wide, J: Job>(
     group: &Group,
     lane: usize,
     leaf: &Leaf,
-    primitives: &[u32; WIDTH],
     object: u32,
     found: &mut Found,
 ) -> bool {
@@ -363,8 +354,8 @@ pub(crate) fn ray_in_leaf<S: Wide, J: Job>(
         found.t[lane] = f32::NEG_INFINITY;
         return true;
     }
-    let (nearest, best) = met.nearest(simd, primitives);
-    found.offer(lane, nearest, [met.u[best], met.v[best]], object, primitives[best])
+    let (nearest, best) = met.nearest(simd, &leaf.primitive);
+    found.offer(lane, nearest, [met.u[best], met.v[best]], object, leaf.primitive[best])
 }
 
 /// Walks a mesh with one ray after the other: for the few groups that are coherent in the world but not in the mesh.

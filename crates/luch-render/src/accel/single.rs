@@ -258,8 +258,7 @@ impl<'a> Flight<'a> {
         }
         let group = &self.scratch.groups[flyer.space & 1][pool];
         let found = &mut self.scratch.found[pool];
-        let primitives = &flyer.tree.primitives[index];
-        if packet::ray_in_leaf::<S, J>(simd, group, lane, leaf, primitives, flyer.object, found) {
+        if packet::ray_in_leaf::<S, J>(simd, group, lane, leaf, flyer.object, found) {
             if J::ANY {
                 flyer.depth = 0;
                 return DONE;

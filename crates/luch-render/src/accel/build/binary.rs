@@ -4,12 +4,26 @@
 use super::LeafMaker;
 use crate::accel::lanes::Wide;
 use fearless_simd::prelude::*;
-use fearless_simd::{f32x4, f32x8, mask32x8, u32x4};
+use fearless_simd::{f32x4, f32x8, i32x4, mask32x8, u32x4};
+use std::sync::atomic::{AtomicIsize, Ordering};
 use std::thread;
 
-/// A box and an index: `-min`, index bits, `max`, 0. With the lower corner negated, the union of two boxes is one
+/// A box and an index: `-min`, [`tagged`] index, `max`, 0. With the lower corner negated, the union of two boxes is one
 /// vector maximum.
 pub(crate) type Item = [f32; 8];
+
+/// An index as a float that arithmetic may pass over: small indices would be denormal numbers, which some machines
+/// treat slowly. Below a billion it is finite.
+pub(crate) const fn tagged(index: u32) -> f32 {
+    f32::from_bits(index + TAG)
+}
+
+/// The index of an item.
+pub(crate) const fn index(item: &Item) -> u32 {
+    item[3].to_bits().wrapping_sub(TAG)
+}
+
+const TAG: u32 = 1 << 30;
 
 /// A box as in [`Item`].
 pub(crate) type Packed = [f32; 8];
@@ -46,6 +60,14 @@ pub(crate) struct BinaryTree<L> {
     pub(crate) leaves: Vec<L>,
 }
 
+impl<L> BinaryTree<L> {
+    /// Room for half again as many leaves as there must be: to grow the arrays by copying is a tenth of a build.
+    fn with_room_for(least: usize) -> Self {
+        let leaves = least + least / 2 + 1;
+        Self { nodes: Vec::with_capacity(2 * leaves), leaves: Vec::with_capacity(leaves) }
+    }
+}
+
 /// Builds the tree of at least one item.
 pub(crate) fn binary_tree<S: Wide, M: LeafMaker>(
     simd: S,
@@ -58,7 +80,29 @@ pub(crate) fn binary_tree<S: Wide, M: LeafMaker>(
         #[inline(always)]
         || range_of(simd, &items, 0),
     );
-    build(simd, &mut items, &mut spare, &node, maker, threads)
+    let mut tree = BinaryTree::with_room_for(items.len() / M::MOST);
+    let crew = Crew { maker, idle: AtomicIsize::new(threads.saturating_sub(1).cast_signed()) };
+    grow(simd, &mut items, &mut spare, &node, &crew, &mut tree);
+    tree
+}
+
+/// What all threads of a build share.
+struct Crew<'a, M> {
+    maker: &'a M,
+    /// Threads that may still be started; below 0 when one that waited goes on after another took its place.
+    idle: AtomicIsize,
+}
+
+impl<M> Crew<'_, M> {
+    /// Takes a thread if there is one.
+    fn hire(&self) -> bool {
+        let one_less = |idle: isize| (idle > 0).then(|| idle - 1);
+        self.idle.fetch_update(Ordering::Relaxed, Ordering::Relaxed, one_less).is_ok()
+    }
+
+    fn dismiss(&self) {
+        self.idle.fetch_add(1, Ordering::Relaxed);
+    }
 }
 
 /// A range of items about to become a subtree: its box, and the box of its (doubled) centres.
@@ -66,44 +110,6 @@ struct Range {
     bounds: Packed,
     centers: Packed,
     depth: usize,
-}
-
-fn build<S: Wide, M: LeafMaker>(
-    simd: S,
-    items: &mut [Item],
-    spare: &mut [Item],
-    range: &Range,
-    maker: &M,
-    threads: usize,
-) -> BinaryTree<M::Leaf> {
-    let mut tree = BinaryTree { nodes: Vec::new(), leaves: Vec::new() };
-    if threads > 1 && items.len() > WORTH_A_THREAD {
-        let split = simd.vectorize(
-            #[inline(always)]
-            || split(simd, items, spare, range),
-        );
-        // The items now lie in `spare`.
-        let (left_items, right_items) = spare.split_at_mut(split.middle);
-        let (left_spare, right_spare) = items.split_at_mut(split.middle);
-        let [left, right] = &split.children;
-        let share = (threads * left_items.len()).div_ceil(left_items.len() + right_items.len()).clamp(1, threads - 1);
-        let (left, right) = thread::scope(|scope| {
-            let other = thread::Builder::new()
-                .name("luch build".into())
-                .spawn_scoped(scope, || build(simd, left_items, left_spare, left, maker, share))
-                .expect("the system gives a thread to whoever may use several");
-            let right = build(simd, right_items, right_spare, right, maker, threads - share);
-            (other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)), right)
-        });
-        tree.nodes.push(Binary { bounds: range.bounds, child: [0; 2], axis: split.axis });
-        for (side, part) in [left, right].into_iter().enumerate() {
-            tree.nodes[0].child[side] = tree.nodes.len() as u32;
-            append(&mut tree, part);
-        }
-        return tree;
-    }
-    grow(simd, items, spare, range, maker, &mut tree);
-    tree
 }
 
 /// Adds `part` behind what is there.
@@ -117,18 +123,18 @@ fn append<L>(tree: &mut BinaryTree<L>, part: BinaryTree<L>) {
     tree.leaves.extend(part.leaves);
 }
 
-/// Adds the subtree of a range in this thread.
+/// Adds the subtree of a range. Whenever a large one is split and a thread is free, that thread takes the right part.
 fn grow<S: Wide, M: LeafMaker>(
     simd: S,
     items: &mut [Item],
     spare: &mut [Item],
     range: &Range,
-    maker: &M,
+    crew: &Crew<'_, M>,
     tree: &mut BinaryTree<M::Leaf>,
 ) {
     let here = tree.nodes.len();
     if items.len() <= M::MOST
-        && let Some(leaf) = maker.make(items)
+        && let Some(leaf) = crew.maker.make(items)
     {
         tree.nodes.push(Binary { bounds: range.bounds, child: [tree.leaves.len() as u32; 2], axis: LEAF });
         tree.leaves.push(leaf);
@@ -140,11 +146,34 @@ fn grow<S: Wide, M: LeafMaker>(
     );
     // The items now lie in `spare`.
     tree.nodes.push(Binary { bounds: range.bounds, child: [here as u32 + 1; 2], axis: split.axis });
+    let [left_range, right_range] = &split.children;
     let (left, right) = spare.split_at_mut(split.middle);
     let (left_spare, right_spare) = items.split_at_mut(split.middle);
-    grow(simd, left, left_spare, &split.children[0], maker, tree);
-    tree.nodes[here].child[1] = tree.nodes.len() as u32;
-    grow(simd, right, right_spare, &split.children[1], maker, tree);
+    if left.len() + right.len() > WORTH_A_THREAD && crew.hire() {
+        let right_tree = thread::scope(|scope| {
+            let right_tree = thread::Builder::new()
+                .name("luch build".into())
+                .spawn_scoped(scope, || {
+                    let mut part = BinaryTree::with_room_for(right.len() / M::MOST);
+                    grow(simd, right, right_spare, right_range, crew, &mut part);
+                    crew.dismiss();
+                    part
+                })
+                .expect("the system gives a thread to whoever may use several");
+            grow(simd, left, left_spare, left_range, crew, tree);
+            // This thread waits now: another may run in its place.
+            crew.dismiss();
+            let part = right_tree.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+            crew.idle.fetch_sub(1, Ordering::Relaxed);
+            part
+        });
+        tree.nodes[here].child[1] = tree.nodes.len() as u32;
+        append(tree, right_tree);
+    } else {
+        grow(simd, left, left_spare, left_range, crew, tree);
+        tree.nodes[here].child[1] = tree.nodes.len() as u32;
+        grow(simd, right, right_spare, right_range, crew, tree);
+    }
 }
 
 /// Where a range was cut: how many items lie left, and both parts.
@@ -168,7 +197,7 @@ fn split<S: Wide>(simd: S, items: &mut [Item], to: &mut [Item], range: &Range) -
     let scale = f32x4::from_fn(simd, |lane| if lane < 3 && usable(lane) { 15.999 / sides[lane] } else { 0.0 });
     let bin = |item: f32x8<S>| -> [u32; 4] {
         let (negative_min, max) = item.split();
-        (((max - negative_min) - low) * scale).to_int::<u32x4<S>>().into()
+        (((max - negative_min) - low) * scale).to_int::<i32x4<S>>().bitcast::<u32x4<S>>().into()
     };
 
     // Sort the items into bins.
@@ -216,11 +245,14 @@ fn split<S: Wide>(simd: S, items: &mut [Item], to: &mut [Item], range: &Range) -
     let nothing = f32x8::splat(simd, f32::NEG_INFINITY);
     let mut centers = [nothing; 2];
     let (mut left, mut right) = (0, items.len());
+    let (low, scale) = (low[axis], scale[axis]);
     for item in items.iter() {
         to[left] = *item;
         to[right - 1] = *item;
+        // The arithmetic of `bin`, for one axis.
+        let bin = (((item[4 + axis] - item[axis]) - low) * scale) as i32 as usize & (BINS - 1);
+        let is_left = bin < cut;
         let item = f32x8::load_array_ref(simd, item);
-        let is_left = ((bin(item)[axis] as usize) & (BINS - 1)) < cut;
         let (side, point) = (mask32x8::splat(simd, is_left), center(item));
         centers = [centers[0].max(side.select(point, nothing)), centers[1].max(side.select(nothing, point))];
         left += usize::from(is_left);

@@ -1,6 +1,6 @@
 //! Leaves of a mesh: patches of triangles over shared vertices.
 
-use super::{Item, LeafMaker};
+use super::{Item, LeafMaker, index};
 use crate::accel::lanes::Nibbles;
 use crate::accel::nodes::{Leaf, WIDTH};
 use glam::Vec3;
@@ -13,28 +13,28 @@ pub(crate) struct Patches<'a, P> {
 }
 
 impl<P: Copy + Into<Vec3> + Sync> LeafMaker for Patches<'_, P> {
-    type Leaf = (Leaf, [u32; WIDTH]);
+    type Leaf = Leaf;
     const MOST: usize = WIDTH;
 
     fn make(&self, items: &[Item]) -> Option<Self::Leaf> {
-        let mut index = [u32::MAX; WIDTH];
+        let mut known = [u32::MAX; WIDTH];
         let mut position = [[0_u32; 4]; WIDTH];
         let mut corner = [Nibbles::ZERO; 3];
         let mut primitives = [u32::MAX; WIDTH];
         let mut used = 0;
         for (lane, item) in items.iter().enumerate() {
-            let primitive = item[3].to_bits();
+            let primitive = index(item);
             primitives[lane] = primitive;
             for (k, &vertex) in self.triangles[primitive as usize].iter().enumerate() {
                 // The index first: it tells most of them apart without a look at the position.
-                let mut slot = index[..used].iter().position(|&known| known == vertex);
+                let mut slot = known[..used].iter().position(|&other| other == vertex);
                 if slot.is_none() {
                     let p: Vec3 = self.positions[vertex as usize].into();
                     let bits = [p.x.to_bits(), p.y.to_bits(), p.z.to_bits(), 0];
                     // Meshes split vertices where normals or textures have a seam.
-                    slot = position[..used].iter().position(|&known| known == bits);
+                    slot = position[..used].iter().position(|&other| other == bits);
                     if slot.is_none() && used < WIDTH {
-                        (index[used], position[used]) = (vertex, bits);
+                        (known[used], position[used]) = (vertex, bits);
                         slot = Some(used);
                         used += 1;
                     }
@@ -52,6 +52,6 @@ impl<P: Copy + Into<Vec3> + Sync> LeafMaker for Patches<'_, P> {
             vertex.map(|row| row.iter().copied().fold(f32::INFINITY, f32::min)),
             vertex.map(|row| row.iter().copied().fold(f32::NEG_INFINITY, f32::max)),
         ];
-        Some((Leaf { vertex, corner, bounds, count: items.len() as u32 }, primitives))
+        Some(Leaf { vertex, corner, bounds, count: items.len() as u32, primitive: primitives })
     }
 }

@@ -4,7 +4,7 @@ mod binary;
 mod leaves;
 mod widen;
 
-pub(crate) use binary::{Item, binary_tree, corners};
+pub(crate) use binary::{Item, binary_tree, corners, index, tagged};
 pub(crate) use leaves::Patches;
 pub(crate) use widen::widen;
 
@@ -30,11 +30,10 @@ pub(crate) fn level() -> Level {
 /// A box and an index as the builder wants them.
 pub(crate) fn pack(bounds: &Bounds, index: u32) -> Item {
     let (low, high) = (-bounds.min, bounds.max);
-    [low.x, low.y, low.z, f32::from_bits(index), high.x, high.y, high.z, 0.0]
+    [low.x, low.y, low.z, tagged(index), high.x, high.y, high.z, 0.0]
 }
 
-/// The largest coordinate of any box, by size.
-pub(crate) fn reach(items: &[Item]) -> f32 {
-    let sides = items.iter().flat_map(|item| [0, 1, 2, 4, 5, 6].map(|k| item[k].abs()));
-    sides.fold(0.0, f32::max)
+/// The largest coordinate of a box, by size.
+pub(crate) fn reach(bounds: &[[f32; 3]; 2]) -> f32 {
+    bounds.iter().flatten().fold(0.0, |reach, x| x.abs().max(reach))
 }

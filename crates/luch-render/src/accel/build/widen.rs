@@ -24,13 +24,13 @@ pub(crate) fn widen(binary: &[Binary], leaf: impl Fn(u32) -> Link, nodes: &mut V
         return (root, 1);
     }
     let best = best_cuts(binary);
-    let mut depth = 1;
+    let (mut depth, mut slots) = (1, Vec::with_capacity(WIDTH));
     // Binary node, its wide node, its depth.
     let mut waiting = vec![(0_u32, 0_usize, 1_usize)];
     nodes.push(Node::FREE);
     while let Some((top, here, level)) = waiting.pop() {
         depth = depth.max(level);
-        let (slots, order) = children(binary, &best, top);
+        let order = children(binary, &best, top, &mut slots);
         let mut node = Node { count: slots.len() as u32, order, ..Node::FREE };
         for (slot, &child) in slots.iter().enumerate() {
             let bounds = &binary[child as usize].bounds;
@@ -84,17 +84,21 @@ fn best_cuts(binary: &[Binary]) -> Vec<Best> {
 
 /// The binary nodes that become the children of `top`'s wide node, and their order near to far by octant: below every
 /// split, the side the ray comes from first.
-fn children(binary: &[Binary], best: &[Best], top: u32) -> (Vec<u32>, [Nibbles; 4]) {
+fn children(binary: &[Binary], best: &[Best], top: u32, slots: &mut Vec<u32>) -> [Nibbles; 4] {
     let mut orders = [Nibbles::ZERO; 4];
-    let mut slots = Vec::with_capacity(WIDTH);
+    slots.clear();
     for (octant, order) in orders.iter_mut().enumerate() {
         let mut lane = 0;
-        // Binary node, and the slots it may take.
-        let mut waiting = vec![(top, WIDTH)];
-        while let Some((k, room)) = waiting.pop() {
+        // Binary nodes, and the slots each may take: never more than one for each slot.
+        let mut waiting = [(0, 0); WIDTH];
+        waiting[0] = (top, WIDTH);
+        let mut depth = 1;
+        while depth > 0 {
+            let (k, room) = waiting[depth - 1];
             let node = &binary[k as usize];
             let to_left = best[k as usize].left[room - 1] as usize;
             if node.axis == LEAF || to_left == 0 {
+                depth -= 1;
                 // The first octant meets all children in the order that numbers the slots.
                 let slot = if octant == 0 { slots.len() } else { slots.iter().position(|&s| s == k).unwrap_or(0) };
                 if octant == 0 {
@@ -106,10 +110,11 @@ fn children(binary: &[Binary], best: &[Best], top: u32) -> (Vec<u32>, [Nibbles; 
             }
             let (left, right) = ((node.child[0], to_left), (node.child[1], room - to_left));
             let negative = octant >> node.axis & 1 != 0;
-            waiting.extend(if negative { [left, right] } else { [right, left] });
+            (waiting[depth - 1], waiting[depth]) = if negative { (left, right) } else { (right, left) };
+            depth += 1;
         }
         // A permutation needs all sixteen; the free slots never count.
         (lane..WIDTH).for_each(|lane| order.set(lane, lane));
     }
-    (slots, orders)
+    orders
 }

@@ -93,10 +93,10 @@ impl Lens {
     /// Origins and unit directions of the rays through places of the film (in pixels) and of the unit disk.
     #[inline(always)]
     fn aim<S: Simd>(&self, simd: S, film: [[f32; LANES]; 2], disk: [[f32; LANES]; 2]) -> (Vec3Lanes<S>, Vec3Lanes<S>) {
-        let splat = |v: f32| Lanes::splat(simd, v);
-        let [x, y] = film.map(|places| Lanes::load_array(simd, places));
-        let across = (x / splat(self.size[0]) - splat(0.5)) * splat(self.extent[0]);
-        let along = (splat(0.5) - y / splat(self.size[1])) * splat(self.extent[1]);
+        let [x, y] = [Lanes::load_array_ref(simd, &film[0]), Lanes::load_array_ref(simd, &film[1])];
+        let half = Lanes::splat(simd, 0.5);
+        let across = (x / self.size[0] - half) * self.extent[0];
+        let along = (half - y / self.size[1]) * self.extent[1];
         let (right, up) = (Vec3Lanes::splat(simd, self.right), Vec3Lanes::splat(simd, self.up));
         let through = Vec3Lanes::splat(simd, self.forward) + right.scale(across) + up.scale(along);
         let position = Vec3Lanes::splat(simd, self.position);
@@ -104,9 +104,10 @@ impl Lens {
             return (position, through.unit_or_zero(simd));
         }
         // `through` reaches the plane of focus after `focus` of its lengths: aim there from the point on the lens.
-        let [u, v] = disk.map(|places| Lanes::load_array(simd, places) * splat(self.radius));
+        let u = Lanes::load_array_ref(simd, &disk[0]) * self.radius;
+        let v = Lanes::load_array_ref(simd, &disk[1]) * self.radius;
         let from_center = right.scale(u) + up.scale(v);
-        let direction = through - from_center.scale(splat(1.0 / self.focus));
+        let direction = through - from_center.scale(Lanes::splat(simd, 1.0 / self.focus));
         (position + from_center, direction.unit_or_zero(simd))
     }
 }

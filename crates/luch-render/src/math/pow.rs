@@ -11,17 +11,15 @@ use fearless_simd::{i32x16, u32x16};
 /// 3e-7 * (1 + exponent * |log2 base|); results below 2^-126 become 0.
 #[inline(always)]
 pub(crate) fn pow<S: Simd>(simd: S, base: Lanes<S>, exponent: Lanes<S>) -> Lanes<S> {
-    let splat = |v: f32| Lanes::splat(simd, v);
     // A base of 0 is moved to the smallest normal number, whose power vanishes unless the exponent is tiny.
-    let positive = base.simd_gt(splat(0.0));
-    let y = exponent * log2(simd, greater(base, splat(f32::MIN_POSITIVE)));
-    positive.select(exp2(simd, y), splat(0.0))
+    let positive = base.simd_gt(Lanes::splat(simd, 0.0));
+    let y = exponent * log2(simd, greater(base, Lanes::splat(simd, f32::MIN_POSITIVE)));
+    positive.select(exp2(simd, y), Lanes::splat(simd, 0.0))
 }
 
 /// log2 of positive normal numbers.
 #[inline(always)]
 fn log2<S: Simd>(simd: S, x: Lanes<S>) -> Lanes<S> {
-    let splat = |v: f32| Lanes::splat(simd, v);
     // x = 2^e * m with m from sqrt(1/2) to sqrt(2): the bits of sqrt(1/2) are taken off, so that the exponent rounds there.
     let offset = u32x16::splat(simd, 0x3f35_04f3);
     let bits: u32x16<S> = x.bitcast();
@@ -32,28 +30,30 @@ fn log2<S: Simd>(simd: S, x: Lanes<S>) -> Lanes<S> {
     // log2 m = 2/ln 2 * artanh f, f = (m - 1) / (m + 1), |f| < 0.172.
     let f = (m - 1.0) / (m + 1.0);
     let s = f * f;
-    let series = splat(1.0) + s * (splat(1.0 / 3.0) + s * (splat(0.2) + s * (splat(1.0 / 7.0) + s * (1.0 / 9.0))));
+    let series = Lanes::splat(simd, 1.0)
+        + s * (Lanes::splat(simd, 1.0 / 3.0)
+            + s * (Lanes::splat(simd, 0.2) + s * (Lanes::splat(simd, 1.0 / 7.0) + s * (1.0 / 9.0))));
     exponent + f * series * 2.885_390_1
 }
 
 /// 2^y for y up to 127; 0 below -126.
 #[inline(always)]
 fn exp2<S: Simd>(simd: S, y: Lanes<S>) -> Lanes<S> {
-    let splat = |v: f32| Lanes::splat(simd, v);
-    let lowest = splat(-126.0);
+    let lowest = Lanes::splat(simd, -126.0);
     let normal = y.simd_ge(lowest);
     let clamped = normal.select(y, lowest);
     let whole = (clamped + 0.5).floor();
     let f = clamped - whole;
     // Taylor's polynomial of 2^f on -1/2..1/2: its next term is below 1.2e-8.
-    let p = splat(1.0)
-        + f * (splat(0.693_147_2)
-            + f * (splat(0.240_226_5)
-                + f * (splat(0.055_504_11)
-                    + f * (splat(0.009_618_129) + f * (splat(0.001_333_355_8) + f * 0.000_154_035_3)))));
+    let p = Lanes::splat(simd, 1.0)
+        + f * (Lanes::splat(simd, 0.693_147_2)
+            + f * (Lanes::splat(simd, 0.240_226_5)
+                + f * (Lanes::splat(simd, 0.055_504_11)
+                    + f * (Lanes::splat(simd, 0.009_618_129)
+                        + f * (Lanes::splat(simd, 0.001_333_355_8) + f * 0.000_154_035_3)))));
     let exponent: i32x16<S> = whole.to_int();
     let scale: Lanes<S> = ((exponent + i32x16::splat(simd, 127)) << 23).bitcast();
-    normal.select(p * scale, splat(0.0))
+    normal.select(p * scale, Lanes::splat(simd, 0.0))
 }
 
 #[cfg(test)]

@@ -55,8 +55,8 @@ impl Gathered {
         reflection: [0.0; LANES],
     };
 
-    /// Fetches the facts of the hits from `at` on.
-    #[inline(always)]
+    /// Fetches the facts of the hits from `at` on. Scalar work, compiled once for all instruction sets.
+    #[inline(never)]
     pub(super) fn of(scene: &CompiledScene, hits: &HitBatch, at: usize) -> Self {
         let mut all = Self::EMPTY;
         let objects = &hits.object[at..at + LANES];
@@ -123,17 +123,30 @@ impl Gathered {
     /// The vertices of the mesh lanes in world space.
     #[inline(always)]
     pub(super) fn world_vertices<S: Simd>(&self, simd: S) -> [Vec3Lanes<S>; 3] {
-        let columns: [Vec3Lanes<S>; 3] = std::array::from_fn(|k| Vec3Lanes::from_arrays(simd, &self.columns[k]));
+        let columns = three(simd, &self.columns);
         let translation = Vec3Lanes::from_arrays(simd, &self.translation);
-        std::array::from_fn(|k| transform(columns, Vec3Lanes::from_arrays(simd, &self.vertices[k])) + translation)
+        let [a, b, c] = three(simd, &self.vertices);
+        [transform(columns, a) + translation, transform(columns, b) + translation, transform(columns, c) + translation]
     }
 
     /// The vertex normals of the mesh lanes in world space.
     #[inline(always)]
     pub(super) fn world_normals<S: Simd>(&self, simd: S) -> [Vec3Lanes<S>; 3] {
-        let turns: [Vec3Lanes<S>; 3] = std::array::from_fn(|k| Vec3Lanes::from_arrays(simd, &self.turns[k]));
-        std::array::from_fn(|k| transform(turns, Vec3Lanes::from_arrays(simd, &self.normals[k])))
+        let turns = three(simd, &self.turns);
+        let [a, b, c] = three(simd, &self.normals);
+        [transform(turns, a), transform(turns, b), transform(turns, c)]
     }
+}
+
+/// Three gathered vectors. Written out, as all vector code here: a closure given to `map` or `from_fn` is compiled as a
+/// function of its own, without the instruction set of its caller.
+#[inline(always)]
+fn three<S: Simd>(simd: S, arrays: &[VecArrays; 3]) -> [Vec3Lanes<S>; 3] {
+    [
+        Vec3Lanes::from_arrays(simd, &arrays[0]),
+        Vec3Lanes::from_arrays(simd, &arrays[1]),
+        Vec3Lanes::from_arrays(simd, &arrays[2]),
+    ]
 }
 
 /// A matrix of three columns times a vector.

@@ -33,17 +33,16 @@ impl<S: Simd> Faces<S> {
         let zero = Lanes::splat(simd, 0.0);
         let opposed = (normals[0] + normals[1] + normals[2]).dot(facing).simd_lt(zero);
         let viewer = Vec3Lanes::load(simd, [rays.origin(0), rays.origin(1), rays.origin(2)], at);
-        let vertices = std::array::from_fn(|k| {
+        let highlight = Lanes::load_array_ref(simd, &facts.highlight);
+        let exponent = Lanes::load_array_ref(simd, &facts.exponent);
+        let mut vertices = [LitPoint { position: viewer, normal: facing, to_viewer: facing, highlight, exponent }; 3];
+        for (k, vertex) in vertices.iter_mut().enumerate() {
             let turned = Vec3Lanes::select(opposed, -normals[k], normals[k]);
             let usable = turned.dot(turned).simd_gt(zero);
-            LitPoint {
-                position: corners[k],
-                normal: Vec3Lanes::select(usable, turned, facing).unit_or_zero(simd),
-                to_viewer: (viewer - corners[k]).unit_or_zero(simd),
-                highlight: Lanes::load_array_ref(simd, &facts.highlight),
-                exponent: Lanes::load_array_ref(simd, &facts.exponent),
-            }
-        });
+            vertex.position = corners[k];
+            vertex.normal = Vec3Lanes::select(usable, turned, facing).unit_or_zero(simd);
+            vertex.to_viewer = (viewer - corners[k]).unit_or_zero(simd);
+        }
         let u = Lanes::from_slice(simd, &hits.u[at..at + LANES]);
         let v = Lanes::from_slice(simd, &hits.v[at..at + LANES]);
         Self { vertices, weights: [Lanes::splat(simd, 1.0) - u - v, u, v] }
@@ -58,13 +57,13 @@ impl<S: Simd> Faces<S> {
         (light, attenuation): (&CompiledLight, f32),
         (diffuse, specular): (Lanes<S>, Lanes<S>),
     ) -> (Lanes<S>, Lanes<S>) {
-        let terms = self.vertices.map(|vertex| LightTerms::at(simd, &vertex, light, attenuation));
         let [a, b, c] = self.weights;
-        let blend = |of: [Lanes<S>; 3]| of[0] * a + of[1] * b + of[2] * c;
+        let t0 = LightTerms::at(simd, &self.vertices[0], light, attenuation);
+        let t1 = LightTerms::at(simd, &self.vertices[1], light, attenuation);
+        let t2 = LightTerms::at(simd, &self.vertices[2], light, attenuation);
+        let blended_diffuse = t0.diffuse * a + t1.diffuse * b + t2.diffuse * c;
+        let blended_specular = t0.specular * a + t1.specular * b + t2.specular * c;
         let lanes = LaneMask::from_bitmask(simd, u64::from(gouraud));
-        (
-            lanes.select(blend(terms.map(|t| t.diffuse)), diffuse),
-            lanes.select(blend(terms.map(|t| t.specular)), specular),
-        )
+        (lanes.select(blended_diffuse, diffuse), lanes.select(blended_specular, specular))
     }
 }

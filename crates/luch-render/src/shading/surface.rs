@@ -188,13 +188,20 @@ fn mesh_place<S: Simd>(simd: S, facts: &Gathered, [u, v]: [Lanes<S>; 2], directi
     let facing = Vec3Lanes::select(away, -geometric_normal, geometric_normal);
     let normals = facts.world_normals(simd);
     let opposed = (normals[0] + normals[1] + normals[2]).dot(facing).simd_lt(zero);
-    let normals = normals.map(|n| Vec3Lanes::select(opposed, -n, n));
+    let [n0, n1, n2] = normals;
+    let normals =
+        [Vec3Lanes::select(opposed, -n0, n0), Vec3Lanes::select(opposed, -n1, n1), Vec3Lanes::select(opposed, -n2, n2)];
     let blended = blend(weights, normals).unit_or_zero(simd);
     let usable = blended.dot(blended).simd_gt(zero);
     let normal = Vec3Lanes::select(usable, blended, geometric_normal);
 
     // Hanika, "Hacking the Shadow Terminator", 2021: raise the point to the planes of the vertices, where it is below.
-    let raised = position + blend(weights, lifts(simd, position, corners, normals));
+    let lifts = [
+        lift(simd, position, corners[0], normals[0]),
+        lift(simd, position, corners[1], normals[1]),
+        lift(simd, position, corners[2], normals[2]),
+    ];
+    let raised = position + blend(weights, lifts);
     let smooth = LaneMask::from_bitmask(simd, u64::from(facts.smooth));
     Place {
         normal: Vec3Lanes::select(smooth, normal, flat.normal),
@@ -203,19 +210,11 @@ fn mesh_place<S: Simd>(simd: S, facts: &Gathered, [u, v]: [Lanes<S>; 2], directi
     }
 }
 
-/// For each vertex the way from the point up to the vertex's tangent plane; zero where the point is above it.
+/// The way from the point up to a vertex's tangent plane; zero where the point is above it.
 #[inline(always)]
-fn lifts<S: Simd>(
-    simd: S,
-    position: Vec3Lanes<S>,
-    corners: [Vec3Lanes<S>; 3],
-    normals: [Vec3Lanes<S>; 3],
-) -> [Vec3Lanes<S>; 3] {
+fn lift<S: Simd>(simd: S, position: Vec3Lanes<S>, corner: Vec3Lanes<S>, normal: Vec3Lanes<S>) -> Vec3Lanes<S> {
     let zero = Lanes::splat(simd, 0.0);
-    std::array::from_fn(|k| {
-        let below = greater(zero - (position - corners[k]).dot(normals[k]), zero);
-        normals[k].scale(below)
-    })
+    normal.scale(greater(zero - (position - corner).dot(normal), zero))
 }
 
 #[inline(always)]

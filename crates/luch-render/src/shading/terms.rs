@@ -34,19 +34,9 @@ pub(crate) struct LitPoint<S: Simd> {
     pub(crate) exponent: Lanes<S>,
 }
 
-/// Every factor of one light at sixteen points.
+/// What one light does at sixteen points, if nothing stands between.
 #[derive(Clone, Copy)]
 pub(crate) struct LightTerms<S: Simd> {
-    /// d.
-    pub(crate) distance: Lanes<S>,
-    /// N.L, not clamped.
-    pub(crate) cos_theta: Lanes<S>,
-    /// R.V, clamped at 0 and 1.
-    pub(crate) cos_alpha: Lanes<S>,
-    /// K / (d + K).
-    pub(crate) falloff: Lanes<S>,
-    /// The light's intensity after falloff.
-    pub(crate) strength: Lanes<S>,
     /// What multiplies k_d.
     pub(crate) diffuse: Lanes<S>,
     /// What is added for the highlight.
@@ -57,17 +47,16 @@ impl<S: Simd> LightTerms<S> {
     /// Works out the terms of a light at the points.
     #[inline(always)]
     pub(crate) fn at(simd: S, point: &LitPoint<S>, light: &CompiledLight, attenuation: f32) -> Self {
-        let splat = |v: f32| Lanes::splat(simd, v);
-        let (zero, one) = (splat(0.0), splat(1.0));
+        let (zero, one) = (Lanes::splat(simd, 0.0), Lanes::splat(simd, 1.0));
         let to_light = Vec3Lanes::splat(simd, light.position) - point.position;
         let distance = to_light.length();
         // A point at the light itself has no direction to it, and is not lit by it.
         let apart = distance.simd_gt(zero);
         let l = to_light.scale(apart.select(one / apart.select(distance, one), zero));
         let cos_theta = point.normal.dot(l);
-        let k = splat(attenuation);
+        let k = Lanes::splat(simd, attenuation);
         let falloff = k / (distance + k);
-        let strength = falloff * splat(light.intensity);
+        let strength = falloff * light.intensity;
         let lit = cos_theta.simd_gt(zero);
         let diffuse = lit.select(strength * cos_theta, zero);
 
@@ -79,7 +68,7 @@ impl<S: Simd> LightTerms<S> {
         } else {
             zero
         };
-        Self { distance, cos_theta, cos_alpha, falloff, strength, diffuse, specular }
+        Self { diffuse, specular }
     }
 }
 

@@ -33,7 +33,7 @@ fn log2<S: Simd>(simd: S, x: Lanes<S>) -> Lanes<S> {
     let series = Lanes::splat(simd, 1.0)
         + s * (Lanes::splat(simd, 1.0 / 3.0)
             + s * (Lanes::splat(simd, 0.2) + s * (Lanes::splat(simd, 1.0 / 7.0) + s * (1.0 / 9.0))));
-    exponent + f * series * 2.885_390_1
+    exponent + f * series * (2.0 * std::f32::consts::LOG2_E)
 }
 
 /// 2^y for y up to 127; 0 below -126.
@@ -46,7 +46,7 @@ fn exp2<S: Simd>(simd: S, y: Lanes<S>) -> Lanes<S> {
     let f = clamped - whole;
     // Taylor's polynomial of 2^f on -1/2..1/2: its next term is below 1.2e-8.
     let p = Lanes::splat(simd, 1.0)
-        + f * (Lanes::splat(simd, 0.693_147_2)
+        + f * (Lanes::splat(simd, std::f32::consts::LN_2)
             + f * (Lanes::splat(simd, 0.240_226_5)
                 + f * (Lanes::splat(simd, 0.055_504_11)
                     + f * (Lanes::splat(simd, 0.009_618_129)

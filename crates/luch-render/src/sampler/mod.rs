@@ -88,7 +88,7 @@ mod tests {
                 let points: Vec<[f32; 2]> = (0..64).map(|s| sample_pair(x, y, s, usage)).collect();
                 for shift in 0..=6_u32 {
                     let (columns, rows) = (1_usize << shift, 64_usize >> shift);
-                    let mut seen = vec![false; 64];
+                    let mut seen = [false; 64];
                     for [u, v] in &points {
                         let cell = (u * columns as f32) as usize * rows + (v * rows as f32) as usize;
                         assert!(!seen[cell], "pixel {x},{y}: two samples in one of {columns} x {rows} cells");

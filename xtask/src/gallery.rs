@@ -119,8 +119,8 @@ color = "#dfe9ff"
 
 [[camera]]
 name = "Front"
-position = [0.0, 1.25, 7.0]
-look_at = [0.0, 0.78, 0.0]
+position = [0.0, 2.6, 6.8]
+look_at = [0.0, 0.74, 0.0]
 fov = 15.5
 
 [[object]]

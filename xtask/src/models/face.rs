@@ -84,8 +84,9 @@ impl Face {
         let e = DVec2::new(e.x * cos + e.y * sin, e.y * cos - e.x * sin);
         // The meet of two circles, 4.6 long and 2.7 wide.
         let almond = libm::hypot(e.x, libm::hypot(e.y, 0.15) + 1.28) - 2.63;
-        let lids = 0.3 * bump((almond - 0.3) / 0.34) + 0.22 * bump((almond - 0.5) / 0.55) * smooth_step(-0.2, 1.0, e.y);
-        let ball = 1.0 * bump(libm::hypot(e.x / 2.1, e.y / 1.4)) - 0.52;
+        let lids =
+            0.16 * bump((almond - 0.3) / 0.34) + 0.36 * bump((almond - 0.5) / 0.55) * smooth_step(-0.2, 1.0, e.y);
+        let ball = 1.1 * bump(libm::hypot(e.x / 1.9, e.y / 1.3)) - 0.48;
         skin - lids - ball * smooth_step(0.05, -0.25, almond)
     }
 

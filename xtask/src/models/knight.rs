@@ -20,14 +20,14 @@ const RIM: f64 = 15.7;
 /// The stand up to the rim, on the side of the collar that carries the horse.
 fn stand() -> Profile {
     let (r, y) = base_top(RADIUS);
-    base(RADIUS).curve((r - 1.6, y + 0.9), (10.0, y + 1.8), (10.0, 14.1)).line(11.3, 14.5).arc(12.15, RIM, 0.318)
+    base(RADIUS).curve((r - 1.6, y + 0.9), (10.0, y + 1.8), (10.0, 14.1)).line(11.3, 14.5).arc(12.15, RIM, 0.32)
 }
 
 /// Makes the knight, about 67 mm high.
 #[must_use]
 pub fn build() -> Mesh {
     let horse = Horse::new();
-    let top = Profile::from(11.3, 14.5).arc(12.15, RIM, 0.318).arc(11.35, 17.0, 0.283).curve(
+    let top = Profile::from(11.3, 14.5).arc(12.15, RIM, 0.32).arc(11.35, 17.0, 0.283).curve(
         (9.0, 17.2),
         (3.0, 17.4),
         (0.0, 17.4),

@@ -51,13 +51,13 @@ pub fn forelock(h: DVec3, d: f64) -> f64 {
         return d;
     }
     let lock = h.z / (0.75 + 0.13 * h.x.max(0.0)) * 0.62 + 0.5;
-    // Beyond the three locks of each side the hair thins out.
-    let w = if lock < 3.0 { lock - libm::floor(lock) } else { 0.0 };
+    // Beyond the middle of each side's lock the hair thins out.
+    let w = if lock < 1.5 { lock - libm::floor(lock) } else { 0.5 };
     let side = (2.0 * w - 1.0).abs();
-    let thin = smooth_step(3.8, 2.6, lock);
+    let thin = smooth_step(2.9, 1.5, lock);
     let strands = -0.09 * libm::cos(w * 2.0 * std::f64::consts::TAU);
     let end = 9.8 - 1.2 * lock - 3.8 * side * libm::sqrt(side);
     let cover = smooth_step(end + 0.3, end - 1.2, h.x) * smooth_step(3.4, 5.0, h.y) * smooth_step(4.4, 2.0, h.z);
     let swell = smooth_step(-3.0, 1.5, h.x);
-    d - cover * swell * thin * (0.35 + 0.6 * (1.0 - side * side) + strands)
+    d - cover * swell * thin * (0.5 + 0.45 * (1.0 - side * side) + strands)
 }

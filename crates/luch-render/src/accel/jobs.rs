@@ -4,7 +4,7 @@ use super::group::{Found, Group};
 use super::lanes::Wide;
 use super::objects::Objects;
 use super::scene_tree::CostBatch;
-use crate::math::ray::{HitBatch, LANES, Mask, NO_OBJECT, RayBatch};
+use crate::math::ray::{HitBatch, LANES, Mask, RayBatch};
 
 /// Where groups of rays come from and answers go.
 pub(crate) trait Job {
@@ -42,7 +42,7 @@ impl Job for Closest<'_> {
     fn load<S: Wide>(&mut self, simd: S, name: usize, world: &mut Group, found: &mut Found) -> u32 {
         world.load(simd, self.rays, name);
         found.reset(simd, self.rays, name);
-        self.objects.meet_always(world, found);
+        self.objects.meet_always(simd, world, found);
         0xffff
     }
 
@@ -73,21 +73,16 @@ impl Job for Any<'_> {
     fn load<S: Wide>(&mut self, simd: S, name: usize, world: &mut Group, found: &mut Found) -> u32 {
         world.load(simd, self.rays, name);
         found.reset(simd, self.rays, name);
-        self.objects.meet_always(world, found);
-        u32::from(!occluded_word(found))
+        self.objects.meet_always(simd, world, found);
+        !found.rays(simd) & 0xffff
     }
 
     #[inline(always)]
-    fn done<S: Wide>(&mut self, _simd: S, name: usize, found: &Found) {
-        self.occluded.set_word(name, occluded_word(found));
+    fn done<S: Wide>(&mut self, simd: S, name: usize, found: &Found) {
+        self.occluded.set_word(name, found.rays(simd) as u16);
     }
 
     fn count(&mut self, _name: usize, _lane: usize, _nodes: u32, _primitives: u32) {}
-}
-
-#[inline(always)]
-fn occluded_word(found: &Found) -> u16 {
-    found.object.iter().enumerate().fold(0, |word, (lane, &object)| word | u16::from(object != NO_OBJECT) << lane)
 }
 
 /// The nearest hit of every ray, and the work it took.

@@ -18,6 +18,7 @@ mod nodes;
 mod objects;
 mod packet;
 mod scene_tree;
+mod shapes;
 mod single;
 mod slabs;
 

@@ -3,10 +3,9 @@
 use super::build::{Item, LeafMaker, binary_tree, corners, index, level, pack, reach, widen};
 use super::geometry::{Geometry, ObjectFromWorld};
 use super::group::{Found, Group};
-use super::lanes::at_level;
+use super::lanes::{Wide, at_level};
 use super::nodes::{Link, Tree};
 use crate::math::bounds::Bounds;
-use crate::math::ray::LANES;
 use std::sync::Arc;
 
 /// One object.
@@ -63,29 +62,12 @@ impl Objects {
 impl Objects {
     /// Meets the shapes outside the tree.
     #[inline(always)]
-    pub(crate) fn meet_always(&self, world: &Group, found: &mut Found) {
+    pub(crate) fn meet_always<S: Wide>(&self, simd: S, world: &Group, found: &mut Found) {
         for &index in &self.always {
             if let Object::Shape(shape) = &self.list[index as usize] {
-                shape.meet(world, found, index, 0xffff);
+                shape.meet(simd, world, found, index, 0xffff);
             }
         }
-    }
-}
-
-impl Geometry {
-    /// Meets an analytic shape with the rays in `rays`; a bit for each that takes the hit.
-    #[inline(always)]
-    pub(crate) fn meet(&self, world: &Group, found: &mut Found, object: u32, rays: u32) -> u32 {
-        let mut hit = 0;
-        for lane in (0..LANES).filter(|lane| rays >> lane & 1 != 0) {
-            let ray = world.ray(lane, found.t[lane].next_up());
-            if let Some((t, primitive)) = self.intersect(&ray)
-                && found.offer(lane, t, [0.0; 2], object, primitive)
-            {
-                hit |= 1 << lane;
-            }
-        }
-        hit
     }
 }
 

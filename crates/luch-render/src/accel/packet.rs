@@ -135,7 +135,7 @@ fn trace_group<S: Wide, J: Job>(simd: S, objects: &Objects, scratch: &mut Scratc
                         alive &= !(rays & !rest);
                     }
                     Object::Shape(shape) => {
-                        let hit = shape.meet(world, found, index, rays);
+                        let hit = shape.meet(simd, world, found, index, rays);
                         if J::ANY {
                             alive &= !hit;
                         }

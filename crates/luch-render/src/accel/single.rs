@@ -251,7 +251,12 @@ impl<'a> Flight<'a> {
         let (pool, lane) = (slot / LANES, slot % LANES);
         flyer.depth -= 1;
         let link = Link(self.scratch.child[slot * self.capacity + flyer.depth]);
-        let Some(index) = link.as_leaf() else { return self.step_object(slot, link, names, job) };
+        let Some(index) = link.as_leaf() else {
+            return simd.vectorize(
+                #[inline(always)]
+                || self.step_object(slot, link, names, job),
+            );
+        };
         let leaf = &flyer.tree.leaves[index];
         if J::COUNT {
             job.count(names[pool], lane, 0, leaf.count);
@@ -270,7 +275,7 @@ impl<'a> Flight<'a> {
     }
 
     /// The rare ends: an object of the scene, or the way out of one.
-    #[inline(never)]
+    #[inline(always)]
     fn step_object<J: Job>(&mut self, slot: usize, link: Link, names: &[usize; POOL], job: &mut J) -> Link {
         let flyer = &mut self.flyers[slot];
         let (pool, lane, base) = (slot / LANES, slot % LANES, slot * self.capacity);

@@ -191,9 +191,9 @@ pub(crate) struct BenchRaysArgs {
 /// What is asked of each ray.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Query {
-    /// The nearest hit
+    // The nearest hit.
     Closest,
-    /// Whether there is a hit
+    // Whether there is a hit.
     Any,
 }
 

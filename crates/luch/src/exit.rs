@@ -101,3 +101,24 @@ fn report_panic(info: &panic::PanicHookInfo<'_>) {
     );
     crate::output::error(&text);
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_panic_is_an_internal_error_and_not_the_end_of_the_process() {
+        assert_eq!(guarded(|| 3), 3);
+        let hook = panic::take_hook();
+        assert_eq!(guarded(|| panic!("as planned")), 70);
+        panic::set_hook(hook);
+    }
+
+    #[test]
+    fn a_failure_shows_its_hint() {
+        assert_eq!(Failure::usage("no").hint("yes").to_string(), "no\nhint: yes");
+        let error = luch_io::Error::new(ErrorKind::Limit, "a.obj", "too large").hint("--memory");
+        let failure = Failure::from(error);
+        assert_eq!((failure.code as u8, failure.to_string().as_str()), (5, "a.obj: too large\nhint: --memory"));
+    }
+}

@@ -57,12 +57,12 @@ A shared mesh is counted once for each object in `triangles`, and once in `memor
 
 pub(crate) const BENCH: &str = "\
 Example:
-  luch bench rays --mesh blob.obj --rays blob.camera.rays --query closest --coherent --threads 1 --json";
+  luch bench rays --mesh blob.obj --rays blob.camera.rays --query closest --coherent --json";
 
 pub(crate) const BENCH_RAYS: &str = "\
 Examples:
   luch bench rays --mesh blob.obj --rays blob.camera.rays --query closest --coherent --threads 1
   luch bench rays --mesh blob.obj --rays blob.shadow.rays --query any --coherent --json
 
-Prints tris, build_ms, rays, hits, sum_t (the sum of the hits' t; closest only), mrays_per_s (million rays a
-second in the best repeat), threads and simd.";
+Prints tris, build_ms, rays, hits, sum_t (the sum of the hits' t; closest only), mrays_per_s
+(million rays a second in the best repeat), threads and simd.";

@@ -1,0 +1,79 @@
+//! Ctrl-C, SIGTERM and the progress that a terminal shows.
+
+use crate::support::Folder;
+use crate::support::terminal::Session;
+use rustix::process::Signal;
+
+/// A render that would take hours.
+const ENDLESS: &[&str] =
+    &["render", "chess", "--size", "4000x3000", "--antialiasing", "4096", "-o", "a.png", "--stats", "a.json"];
+
+#[test]
+fn a_render_is_stopped_and_leaves_nothing_behind() {
+    for (signal, code, words) in [(Signal::INT, 130, "Ctrl-C"), (Signal::TERM, 143, "SIGTERM")] {
+        let folder = Folder::new();
+        folder.write("a.png", "old");
+        let mut session = Session::start(folder.path(), ENDLESS, &[]);
+        assert!(session.wait_for(&["rendering ["]), "the render began");
+        session.signal(signal);
+        let (ended, screen, stdout) = session.end();
+        assert_eq!((ended, stdout.as_str()), (code, ""), "{screen}");
+        assert!(screen.contains(&format!("stopped by {words}")), "{screen}");
+        assert_eq!(folder.names(), ["a.png"]);
+        assert_eq!(folder.read("a.png"), b"old");
+    }
+}
+
+#[test]
+fn a_second_signal_is_no_worse() {
+    let folder = Folder::new();
+    let mut session = Session::start(folder.path(), ENDLESS, &[]);
+    assert!(session.wait_for(&["rendering ["]), "the render began");
+    session.signal(Signal::INT);
+    session.signal(Signal::INT);
+    let (code, screen, _) = session.end();
+    assert_eq!(code, 130, "{screen}");
+    assert!(folder.names().is_empty());
+}
+
+#[test]
+fn loading_is_stopped_too() {
+    let folder = Folder::new();
+    // A million small triangles: long enough to be seen, and if not, the build or the render is stopped instead.
+    let mut model = String::new();
+    for i in 0..300_000 {
+        let (x, y) = (i % 600, i / 600);
+        model += &format!("v {x} {y} 0\nv {x}.5 {y} 1\nv {x} {y}.5 2\nf -3 -2 -1\n");
+    }
+    folder.write("big.obj", model);
+    let args = ["render", "big.obj", "-o", "a.png", "--size", "4000x4000", "--antialiasing", "4096"];
+    let mut session = Session::start(folder.path(), &args, &[]);
+    assert!(session.wait_for(&["loading", "building", "rendering"]), "something is shown");
+    session.signal(Signal::TERM);
+    let (code, screen, _) = session.end();
+    assert_eq!(code, 143, "{screen}");
+    assert_eq!(folder.names(), ["big.obj"]);
+}
+
+#[test]
+fn the_bar_tells_how_far_how_fast_and_how_long() {
+    let folder = Folder::new();
+    let mut session = Session::start(folder.path(), ENDLESS, &[]);
+    assert!(session.wait_for(&[" left"]), "the bar is complete");
+    session.signal(Signal::INT);
+    let (_, screen, _) = session.end();
+    for word in ["rendering [", " %", "ray/s", " left"] {
+        assert!(screen.contains(word), "{word} is not in {screen}");
+    }
+}
+
+#[test]
+fn quiet_shows_no_progress_and_a_short_render_needs_none() {
+    let folder = Folder::with_small_scene();
+    for args in
+        [&["render", "small.toml", "-o", "a.png"][..], &["render", "knight", "--size", "300x200", "-q", "-o", "a.png"]]
+    {
+        let (code, screen, _) = Session::start(folder.path(), args, &[]).end();
+        assert_eq!((code, screen.as_str()), (0, ""), "{args:?}");
+    }
+}

@@ -1,7 +1,7 @@
 //! `cargo xtask gallery`: the pictures of docs/gallery, rendered by the program itself.
 //!
 //! A sheet for each chess piece shows it from the front, three-quarters and the side; each built-in scene is shown from each of
-//! its three cameras.
+//! its three cameras, two of them also with depth of field.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -15,6 +15,8 @@ pub const GALLERY_DIR: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/gall
 const SCENES: [&str; 3] = ["two-spheres", "knight", "chess"];
 /// Cameras of a built-in scene.
 const CAMERAS: u32 = 3;
+/// Scenes and cameras that are also shown through an open lens.
+const FOCUSED: [(&str, u32); 2] = [("knight", 1), ("chess", 2)];
 
 /// What to make and how.
 #[derive(Clone, Debug)]
@@ -52,7 +54,7 @@ impl Gallery {
             let scene = self.scratch.join(format!("sheet-{name}.toml"));
             std::fs::write(&scene, sheet(name)).map_err(|e| made(&scene, e))?;
             let picture = self.out.join(format!("piece-{name}.png"));
-            self.run(&scene, 1, "1600x900", &picture)?;
+            self.run(&scene, 1, &["--size", "1600x900"], &picture)?;
             report(&picture);
         }
         for scene in SCENES {
@@ -62,7 +64,16 @@ impl Gallery {
                     continue;
                 }
                 let picture = self.out.join(format!("{name}.png"));
-                self.run(Path::new(scene), camera, "1920x1080", &picture)?;
+                self.run(Path::new(scene), camera, &["--size", "1920x1080"], &picture)?;
+                report(&picture);
+            }
+        }
+        for (scene, camera) in FOCUSED {
+            let name = format!("scene-{scene}-{camera}-focus");
+            if self.is_wanted(&name) {
+                let picture = self.out.join(format!("{name}.png"));
+                let rays = self.rays.to_string();
+                self.run(Path::new(scene), camera, &["--size", "1920x1080", "--depth-of-field", &rays], &picture)?;
                 report(&picture);
             }
         }
@@ -74,21 +85,14 @@ impl Gallery {
     }
 
     /// Renders one picture.
-    fn run(&self, scene: &Path, camera: u32, size: &str, picture: &Path) -> Result<(), String> {
+    fn run(&self, scene: &Path, camera: u32, options: &[&str], picture: &Path) -> Result<(), String> {
         let status = Command::new(&self.luch)
             .arg("render")
             .arg(scene)
             .arg("-o")
             .arg(picture)
-            .args([
-                "--camera",
-                &camera.to_string(),
-                "--size",
-                size,
-                "--antialiasing",
-                &self.rays.to_string(),
-                "--quiet",
-            ])
+            .args(["--camera", &camera.to_string(), "--antialiasing", &self.rays.to_string(), "--quiet"])
+            .args(options)
             .status()
             .map_err(|e| format!("{}: {e}", self.luch.display()))?;
         if status.success() { Ok(()) } else { Err(format!("{}: {status}", scene.display())) }
@@ -130,7 +134,9 @@ color = "#8e969e"
 gloss = 0.0
 "##,
     );
-    for (view, x, turn) in [("Front", -1.15, 0.0), ("Three-quarters", 0.0, 42.0), ("Side", 1.15, 90.0)] {
+    // The knight looks to the right, the bishop's cut to the viewer.
+    let way = if name == "bishop" { -1.0 } else { 1.0 };
+    for (view, x, turn) in [("Front", -1.15, 0.0), ("Three-quarters", 0.0, 42.0 * way), ("Side", 1.15, 90.0 * way)] {
         text.push_str(&format!(
             r##"
 [[object]]

@@ -1,4 +1,4 @@
-//! The king: a flared crown with a dome and a cross pattee.
+//! The king: a flared crown with a dome and a cross pattée.
 
 use glam::DVec3;
 
@@ -38,7 +38,7 @@ pub fn build() -> Mesh {
     attach(turn(&crown()), &field, &grid, Budget { triangles: 6000, error: 0.02 }, 35.0)
 }
 
-/// A cross pattee in the xy plane: four arms that widen outwards with hollow sides, edges rounded.
+/// A cross pattée in the xy plane: four arms that widen outwards with hollow sides, edges rounded.
 fn cross(p: DVec3) -> f64 {
     let arm = |along: f64, across: f64| {
         let s = along.abs() / ARM;

@@ -23,7 +23,7 @@ fn stand() -> Profile {
     base(RADIUS).curve((r - 1.6, y + 0.9), (10.0, y + 1.8), (10.0, 14.1)).line(11.3, 14.5).arc(12.15, RIM, 0.32)
 }
 
-/// Makes the knight, about 67 mm high.
+/// Makes the knight, 68 mm high.
 #[must_use]
 pub fn build() -> Mesh {
     let horse = Horse::new();

@@ -34,7 +34,7 @@ pub const SQUARE: f64 = 57.0;
 /// The six kinds of chess pieces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Piece {
-    /// 95 mm, with a cross pattee.
+    /// 95 mm, with a cross pattée.
     King,
     /// With a coronet and a ball.
     Queen,

@@ -7,7 +7,7 @@
 use super::Colors;
 use crate::compiled::{CompiledLight, CompiledScene};
 use crate::math::lanes::{LANES, LaneMask, Lanes, Vec3Lanes};
-use crate::math::ray::{Coherence, HitBatch, Mask, Ray, RayBatch};
+use crate::math::ray::{Coherence, HitBatch, Mask, RayBatch};
 use crate::shading::gouraud::Faces;
 use crate::shading::spawn::{mirror_rays, shadow_rays};
 use crate::shading::surface::{SurfaceBatch, parts, views};
@@ -247,6 +247,9 @@ pub(crate) fn lit_point<S: Simd>(simd: S, rays: &RayBatch, surfaces: &SurfaceBat
 #[inline(always)]
 fn send_mirrors<S: Simd>(simd: S, rays: &RayBatch, surfaces: &SurfaceBatch, wave: &mut Wave, next: &mut RayBatch) {
     let zero = Lanes::splat(simd, 0.0);
+    // Room for a ray from each, and for the last group to be written whole.
+    next.resize(rays.padded_len() + LANES);
+    let mut count = 0;
     for (group, &hit) in surfaces.hit.iter().enumerate() {
         let at = group * LANES;
         if hit == 0 {
@@ -259,12 +262,18 @@ fn send_mirrors<S: Simd>(simd: S, rays: &RayBatch, surfaces: &SurfaceBatch, wave
             continue;
         }
         let (origin, direction) = mirror_rays(simd, surfaces, rays, at);
+        let lanes = next.lanes_mut();
+        origin.compress(mirrors).store(lanes.origin, count);
+        direction.compress(mirrors).store(lanes.direction, count);
+        zero.store_slice(&mut lanes.t_min[count..count + LANES]);
+        Lanes::splat(simd, f32::INFINITY).store_slice(&mut lanes.t_max[count..count + LANES]);
+        count += bits.count_ones() as usize;
         while bits != 0 {
             let lane = bits.trailing_zeros() as usize;
             bits &= bits - 1;
-            next.push(&Ray::new(origin.lane(lane), direction.lane(lane)));
             #[allow(clippy::cast_possible_truncation, reason = "a batch has far fewer than 2^32 rays")]
             wave.mirrors.push(((at + lane) as u32, surfaces.reflection[at + lane]));
         }
     }
+    next.resize(count);
 }

@@ -109,9 +109,10 @@ impl<S: Simd> Vec3Lanes<S> {
         Self { x: mask.select(yes.x, no.x), y: mask.select(yes.y, no.y), z: mask.select(yes.z, no.z) }
     }
 
-    /// The vector of one lane.
-    pub(crate) fn lane(self, lane: usize) -> Vec3 {
-        Vec3::new(self.x[lane], self.y[lane], self.z[lane])
+    /// The lanes of the mask moved to the front; what follows them is not said.
+    #[inline(always)]
+    pub(crate) fn compress(self, mask: LaneMask<S>) -> Self {
+        Self { x: self.x.compress(mask), y: self.y.compress(mask), z: self.z.compress(mask) }
     }
 }
 

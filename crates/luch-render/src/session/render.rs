@@ -121,6 +121,8 @@ struct Worker<'a> {
     places: Vec<usize>,
     rays: RayBatch,
     colors: Colors,
+    /// Sums of the samples in the order of the rays, then in rows for the film.
+    totals: Colors,
     sums: Vec<f32>,
 }
 
@@ -135,6 +137,7 @@ impl<'a> Worker<'a> {
             places: Vec::new(),
             rays: RayBatch::new(),
             colors: Colors::default(),
+            totals: Colors::default(),
             sums: Vec::new(),
         }
     }
@@ -142,21 +145,22 @@ impl<'a> Worker<'a> {
     /// Renders a tile into `self.sums`; `false` if it was cancelled.
     fn tile(&mut self, work: &RenderWork, progress: &Progress) -> bool {
         self.order_pixels(work.tile);
-        self.sums.clear();
-        self.sums.resize(self.pixels.len() * 3, 0.0);
+        self.totals.resize(self.pixels.len());
+        self.totals.0.iter_mut().for_each(|list| list.fill(0.0));
         for sample in work.first_sample..work.first_sample + work.samples {
             if progress.is_cancelled() {
                 return false;
             }
             self.lens.rays(self.level, &self.pixels, sample, &mut self.rays);
             let traced = self.tracer.trace(&mut self.rays, &mut self.colors);
-            for (index, &place) in self.places.iter().enumerate() {
-                let color = self.colors.get(index);
-                for (sum, value) in self.sums[place..place + 3].iter_mut().zip(color) {
-                    *sum += value;
-                }
+            for (totals, values) in self.totals.0.iter_mut().zip(&self.colors.0) {
+                totals.iter_mut().zip(values).for_each(|(total, value)| *total += value);
             }
             progress.add(self.pixels.len() as u64, traced);
+        }
+        self.sums.resize(self.pixels.len() * 3, 0.0);
+        for (index, &place) in self.places.iter().enumerate() {
+            self.sums[place..place + 3].copy_from_slice(&self.totals.get(index));
         }
         true
     }

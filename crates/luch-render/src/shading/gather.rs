@@ -1,16 +1,18 @@
 //! What shading wants to know of sixteen hits, fetched from the objects they fell on and laid side by side.
 
-use crate::compiled::{CompiledScene, Look, Surface};
+use crate::compiled::{CompiledObject, CompiledScene, Look, Surface};
 use crate::math::lanes::{LANES, Vec3Lanes};
 use crate::math::ray::{HitBatch, NO_OBJECT};
 use fearless_simd::Simd;
-use glam::{Mat3, Vec3};
+use glam::Mat3;
 use luch_scene::Shading;
 
 /// Three components of each of sixteen vectors.
 pub(super) type VecArrays = [[f32; LANES]; 3];
 
-/// The facts of sixteen hits. A lane's fields that its kind of surface does not use are zero.
+/// The facts of sixteen hits. Lanes that hit nothing, and fields that a lane's kind of surface does not use, hold
+/// whatever was there before: they are finite and never looked at.
+#[derive(Debug)]
 pub(super) struct Gathered {
     pub(super) hit: u16,
     pub(super) sphere: u16,
@@ -28,6 +30,7 @@ pub(super) struct Gathered {
     /// Mesh: columns of its rotation alone, for normals.
     pub(super) turns: [VecArrays; 3],
     pub(super) translation: VecArrays,
+    /// Sphere: its radius; flat face: 0.
     pub(super) radius: [f32; LANES],
     pub(super) base: VecArrays,
     pub(super) highlight: [f32; LANES],
@@ -35,89 +38,172 @@ pub(super) struct Gathered {
     pub(super) reflection: [f32; LANES],
 }
 
-impl Gathered {
-    const EMPTY: Self = Self {
-        hit: 0,
-        sphere: 0,
-        mesh: 0,
-        smooth: 0,
-        gouraud: 0,
-        checker: 0,
-        vertices: [[[0.0; LANES]; 3]; 3],
-        normals: [[[0.0; LANES]; 3]; 3],
-        columns: [[[0.0; LANES]; 3]; 3],
-        turns: [[[0.0; LANES]; 3]; 3],
-        translation: [[0.0; LANES]; 3],
-        radius: [0.0; LANES],
-        base: [[0.0; LANES]; 3],
-        highlight: [0.0; LANES],
-        exponent: [0.0; LANES],
-        reflection: [0.0; LANES],
-    };
-
-    /// Fetches the facts of the hits from `at` on. Scalar work, compiled once for all instruction sets.
-    #[inline(never)]
-    pub(super) fn of(scene: &CompiledScene, hits: &HitBatch, at: usize) -> Self {
-        let mut all = Self::EMPTY;
-        let objects = &hits.object[at..at + LANES];
-        let primitives = &hits.primitive[at..at + LANES];
-        for lane in 0..LANES {
-            if objects[lane] != NO_OBJECT {
-                all.fetch(scene, lane, objects[lane] as usize, primitives[lane] as usize);
-            }
+impl Default for Gathered {
+    fn default() -> Self {
+        Self {
+            hit: 0,
+            sphere: 0,
+            mesh: 0,
+            smooth: 0,
+            gouraud: 0,
+            checker: 0,
+            vertices: [[[0.0; LANES]; 3]; 3],
+            normals: [[[0.0; LANES]; 3]; 3],
+            columns: [[[0.0; LANES]; 3]; 3],
+            turns: [[[0.0; LANES]; 3]; 3],
+            translation: [[0.0; LANES]; 3],
+            radius: [0.0; LANES],
+            base: [[0.0; LANES]; 3],
+            highlight: [0.0; LANES],
+            exponent: [0.0; LANES],
+            reflection: [0.0; LANES],
         }
-        all
+    }
+}
+
+/// Which lanes a fact is written to.
+trait Lane: Copy {
+    fn put(self, array: &mut [f32; LANES], value: f32);
+
+    #[inline(always)]
+    fn put_all(self, arrays: &mut VecArrays, v: [f32; 3]) {
+        self.put(&mut arrays[0], v[0]);
+        self.put(&mut arrays[1], v[1]);
+        self.put(&mut arrays[2], v[2]);
     }
 
     #[inline(always)]
-    fn fetch(&mut self, scene: &CompiledScene, lane: usize, object: usize, primitive: usize) {
-        let bit = 1 << lane;
-        let object = &scene.objects[object];
-        let mut look = 0;
-        self.hit |= bit;
+    fn put_matrix(self, columns: &mut [VecArrays; 3], m: &Mat3) {
+        self.put_all(&mut columns[0], m.x_axis.to_array());
+        self.put_all(&mut columns[1], m.y_axis.to_array());
+        self.put_all(&mut columns[2], m.z_axis.to_array());
+    }
+}
+
+#[derive(Clone, Copy)]
+struct One(usize);
+
+impl Lane for One {
+    #[inline(always)]
+    fn put(self, array: &mut [f32; LANES], value: f32) {
+        array[self.0] = value;
+    }
+}
+
+/// Every lane: rays side by side mostly hit one object, whose facts are then written once for all.
+#[derive(Clone, Copy)]
+struct Every;
+
+impl Lane for Every {
+    #[inline(always)]
+    fn put(self, array: &mut [f32; LANES], value: f32) {
+        *array = [value; LANES];
+    }
+}
+
+impl Gathered {
+    /// Fetches the facts of the hits from `at` on. Scalar work, compiled once for all instruction sets.
+    #[inline(never)]
+    pub(super) fn fetch(&mut self, scene: &CompiledScene, hits: &HitBatch, at: usize) {
+        let objects = &hits.object[at..at + LANES];
+        let primitives = &hits.primitive[at..at + LANES];
+        (self.sphere, self.mesh, self.smooth, self.gouraud, self.checker) = (0, 0, 0, 0, 0);
+        let mut left = 0_u16;
+        for (lane, &object) in objects.iter().enumerate() {
+            left |= u16::from(object != NO_OBJECT) << lane;
+        }
+        self.hit = left;
+        while left != 0 {
+            let first = left.trailing_zeros() as usize;
+            let mut same = 0_u16;
+            for (lane, &object) in objects.iter().enumerate() {
+                same |= u16::from(object == objects[first]) << lane;
+            }
+            let object = &scene.objects[objects[first] as usize];
+            if same == self.hit {
+                self.fetch_object(object, same, Every);
+            } else {
+                for lane in lanes_of(same) {
+                    self.fetch_object(object, 1 << lane, One(lane));
+                }
+            }
+            self.fetch_primitives(object, same, primitives);
+            left &= !same;
+        }
+    }
+
+    /// What all hits on an object have in common.
+    #[inline(always)]
+    fn fetch_object(&mut self, object: &CompiledObject, bits: u16, lanes: impl Lane) {
         match &object.surface {
             Surface::Sphere { center, radius } => {
-                self.sphere |= bit;
-                put(&mut self.vertices[0], lane, *center);
-                self.radius[lane] = *radius;
+                self.sphere |= bits;
+                lanes.put_all(&mut self.vertices[0], center.to_array());
+                lanes.put(&mut self.radius, *radius);
             }
             Surface::Plane { point, normal } => {
-                put(&mut self.vertices[0], lane, *point);
-                put(&mut self.normals[0], lane, *normal);
+                lanes.put_all(&mut self.vertices[0], point.to_array());
+                lanes.put_all(&mut self.normals[0], normal.to_array());
+                lanes.put(&mut self.radius, 0.0);
             }
-            Surface::Cuboid { center, half_size, axes } => {
-                let axis = (primitive / 2).min(2);
-                let outward = if primitive % 2 == 1 { axes.col(axis) } else { -axes.col(axis) };
-                put(&mut self.vertices[0], lane, *center + outward * half_size[axis]);
-                put(&mut self.normals[0], lane, outward);
-            }
-            Surface::Mesh { mesh, placement, rotation } => {
-                self.mesh |= bit;
+            Surface::Cuboid { .. } => lanes.put(&mut self.radius, 0.0),
+            Surface::Mesh { placement, rotation, .. } => {
+                self.mesh |= bits;
                 if object.shading != Shading::Flat {
-                    self.smooth |= bit;
+                    self.smooth |= bits;
                 }
                 if object.shading == Shading::Gouraud {
-                    self.gouraud |= bit;
+                    self.gouraud |= bits;
                 }
-                look = mesh.triangle_materials().get(primitive).map_or(0, |&m| usize::from(m));
-                put_matrix(&mut self.columns, lane, &placement.linear);
-                put_matrix(&mut self.turns, lane, rotation);
-                put(&mut self.translation, lane, placement.translation);
-                let (corners, normals) = (mesh.triangles()[primitive], mesh.normal_triangles()[primitive]);
-                for k in 0..3 {
-                    put_array(&mut self.vertices[k], lane, mesh.positions()[corners[k] as usize]);
-                    put_array(&mut self.normals[k], lane, mesh.normals()[normals[k] as usize]);
-                }
+                lanes.put_matrix(&mut self.columns, &placement.linear);
+                lanes.put_matrix(&mut self.turns, rotation);
+                lanes.put_all(&mut self.translation, placement.translation.to_array());
             }
         }
         if object.checker.is_some() {
-            self.checker |= bit;
+            self.checker |= bits;
         }
-        let Look { base, highlight, exponent } = object.looks[look];
-        put(&mut self.base, lane, base);
-        self.highlight[lane] = highlight;
-        self.exponent[lane] = exponent;
-        self.reflection[lane] = object.reflection;
+        self.put_look(&object.looks[0], lanes);
+        lanes.put(&mut self.reflection, object.reflection);
+    }
+
+    /// What depends on the face or triangle that was hit.
+    #[inline(always)]
+    fn fetch_primitives(&mut self, object: &CompiledObject, bits: u16, primitives: &[u32]) {
+        match &object.surface {
+            Surface::Sphere { .. } | Surface::Plane { .. } => {}
+            Surface::Cuboid { center, half_size, axes } => {
+                for lane in lanes_of(bits) {
+                    let face = primitives[lane] as usize;
+                    let axis = (face / 2).min(2);
+                    let outward = if face % 2 == 1 { axes.col(axis) } else { -axes.col(axis) };
+                    One(lane).put_all(&mut self.vertices[0], (*center + outward * half_size[axis]).to_array());
+                    One(lane).put_all(&mut self.normals[0], outward.to_array());
+                }
+            }
+            Surface::Mesh { mesh, .. } => {
+                let (triangles, normal_triangles) = (mesh.triangles(), mesh.normal_triangles());
+                let (positions, normals) = (mesh.positions(), mesh.normals());
+                for lane in lanes_of(bits) {
+                    let primitive = primitives[lane] as usize;
+                    let (corners, corner_normals) = (triangles[primitive], normal_triangles[primitive]);
+                    for k in 0..3 {
+                        One(lane).put_all(&mut self.vertices[k], positions[corners[k] as usize]);
+                        One(lane).put_all(&mut self.normals[k], normals[corner_normals[k] as usize]);
+                    }
+                    if let Some(&look) = mesh.triangle_materials().get(primitive) {
+                        self.put_look(&object.looks[usize::from(look)], One(lane));
+                    }
+                }
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn put_look(&mut self, look: &Look, lanes: impl Lane) {
+        lanes.put_all(&mut self.base, look.base.to_array());
+        lanes.put(&mut self.highlight, look.highlight);
+        lanes.put(&mut self.exponent, look.exponent);
     }
 
     /// The vertices of the mesh lanes in world space.
@@ -155,21 +241,12 @@ fn transform<S: Simd>(columns: [Vec3Lanes<S>; 3], v: Vec3Lanes<S>) -> Vec3Lanes<
     columns[0].scale(v.x) + columns[1].scale(v.y) + columns[2].scale(v.z)
 }
 
+/// The lanes whose bits are set, lowest first.
 #[inline(always)]
-fn put(arrays: &mut VecArrays, lane: usize, v: Vec3) {
-    put_array(arrays, lane, v.to_array());
-}
-
-#[inline(always)]
-fn put_array(arrays: &mut VecArrays, lane: usize, v: [f32; 3]) {
-    arrays[0][lane] = v[0];
-    arrays[1][lane] = v[1];
-    arrays[2][lane] = v[2];
-}
-
-#[inline(always)]
-fn put_matrix(columns: &mut [VecArrays; 3], lane: usize, m: &Mat3) {
-    put(&mut columns[0], lane, m.x_axis);
-    put(&mut columns[1], lane, m.y_axis);
-    put(&mut columns[2], lane, m.z_axis);
+fn lanes_of(mut bits: u16) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let lane = (bits != 0).then_some(bits.trailing_zeros() as usize);
+        bits &= bits.wrapping_sub(1);
+        lane
+    })
 }

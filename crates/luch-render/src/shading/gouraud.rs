@@ -27,7 +27,8 @@ impl<S: Simd> Faces<S> {
         at: usize,
         facing: Vec3Lanes<S>,
     ) -> Self {
-        let facts = Gathered::of(scene, hits, at);
+        let mut facts = Gathered::default();
+        facts.fetch(scene, hits, at);
         let corners = facts.world_vertices(simd);
         let normals = facts.world_normals(simd);
         let zero = Lanes::splat(simd, 0.0);

@@ -30,6 +30,7 @@ pub(crate) struct SurfaceBatch {
     pub(crate) exponent: Vec<f32>,
     /// Mirror share.
     pub(crate) reflection: Vec<f32>,
+    facts: Box<Gathered>,
 }
 
 /// A surface's point is right to a few units in the last place of the largest number that went into it; a ray that
@@ -55,14 +56,16 @@ impl SurfaceBatch {
     pub(crate) fn fill<S: Simd>(&mut self, simd: S, scene: &CompiledScene, rays: &RayBatch, hits: &HitBatch) {
         let padded = rays.padded_len();
         self.resize(padded);
+        let mut facts = std::mem::take(&mut self.facts);
         for at in (0..padded).step_by(LANES) {
-            let facts = Gathered::of(scene, hits, at);
+            facts.fetch(scene, hits, at);
             self.hit[at / LANES] = facts.hit;
             self.gouraud[at / LANES] = facts.gouraud;
             if facts.hit != 0 {
                 self.fill_group(simd, scene, rays, hits, at, &facts);
             }
         }
+        self.facts = facts;
     }
 
     #[inline(always)]

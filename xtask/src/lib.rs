@@ -1,5 +1,7 @@
 //! Tools of the Luch repository, as a library so that their results can be tested.
 
+#![forbid(unsafe_code)]
+
 pub mod gallery;
 pub mod models;
 

@@ -1,5 +1,7 @@
 //! `cargo xtask`: the tools of the repository.
 
+#![forbid(unsafe_code)]
+
 use std::path::PathBuf;
 use std::process::{Command, ExitCode};
 

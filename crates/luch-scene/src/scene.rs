@@ -51,7 +51,7 @@ impl Scene {
     /// The longest name, in bytes.
     pub const MAX_NAME: usize = 256;
 
-    /// An empty scene: a dark background, a little ambient light, nothing in it.
+    /// An empty scene: a black background, a little ambient light, nothing in it.
     #[must_use]
     pub fn new(name: impl Into<String>) -> Self {
         Self {

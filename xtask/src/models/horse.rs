@@ -1,7 +1,7 @@
 //! The horse's neck and head as a field.
 //!
 //! Coordinates: x forward, y up, z aside, millimetres; both sides are mirror images. The head has a frame of its own, see
-//! [`in_head`]; its features are in `face`.
+//! `in_head`; its features are in `face`.
 
 use glam::{DVec2, DVec3};
 

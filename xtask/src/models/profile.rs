@@ -1,7 +1,7 @@
 //! The outline of a turned piece: a path of lines, arcs and Bezier curves in the half plane (radius, height).
 //!
 //! A path runs from the bottom upwards with the material on its left, so that the outward normal of the tangent (tr, ty) is
-//! (ty, -tr). Where the tangent turns by more than [`CREASE_COS`] allows the edge is sharp.
+//! (ty, -tr). Where the tangent turns by more than `CREASE_COS` allows the edge is sharp.
 
 use glam::DVec2;
 

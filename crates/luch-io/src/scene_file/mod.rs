@@ -1,4 +1,4 @@
-//! Scene files, format 1: TOML with a place for every error. The format itself is described in `assets/scenes`.
+//! Scene files, format 1: TOML with a place for every error. The format itself is described in `docs/scene-file.md`.
 //!
 //! `text` (bytes to text) -> `sections` (one header at a time) -> `fields` (typed access) -> `raw` and `objects` (what
 //! the file says) -> `parse` (meshes, names, cameras) -> [`luch_scene::Scene`] -> `write` (text again).

@@ -12,7 +12,7 @@ use std::thread;
 use std::time::Duration;
 
 /// How long a stage may take to stop by itself before the program ends without it.
-const PATIENCE: Duration = Duration::from_millis(700);
+const PATIENCE: Duration = Duration::from_millis(500);
 
 /// What a signal interrupts.
 #[derive(Debug, Default)]

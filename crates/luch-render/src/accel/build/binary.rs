@@ -142,7 +142,7 @@ fn grow<S: Wide, M: LeafMaker>(
     }
     let split = simd.vectorize(
         #[inline(always)]
-        || split(simd, items, spare, range),
+        || split(simd, items, spare, range, crew.maker.grain()),
     );
     // The items now lie in `spare`.
     tree.nodes.push(Binary { bounds: range.bounds, child: [here as u32 + 1; 2], axis: split.axis });
@@ -185,7 +185,7 @@ struct Split {
 
 /// Moves the items of a range to `to`, those left of the best cut first.
 #[inline(always)]
-fn split<S: Wide>(simd: S, items: &mut [Item], to: &mut [Item], range: &Range) -> Split {
+fn split<S: Wide>(simd: S, items: &mut [Item], to: &mut [Item], range: &Range, grain: u32) -> Split {
     let (low, high) = f32x8::load_array_ref(simd, &range.centers).split();
     let low = -low;
     let extent = high - low;
@@ -222,7 +222,7 @@ fn split<S: Wide>(simd: S, items: &mut [Item], to: &mut [Item], range: &Range) -
             bounds = bounds.max(f32x8::load_array_ref(simd, &bins[axis][k]));
             count += counts[axis][k];
             let packed: Packed = bounds.into();
-            after[k] = (packed, if count > 0 { half_area(&packed) * cost(count) } else { f32::NAN });
+            after[k] = (packed, if count > 0 { half_area(&packed) * cost(count, grain) } else { f32::NAN });
         }
         let (mut bounds, mut count) = (f32x8::splat(simd, f32::NEG_INFINITY), 0);
         for k in 1..BINS {
@@ -230,7 +230,7 @@ fn split<S: Wide>(simd: S, items: &mut [Item], to: &mut [Item], range: &Range) -
             count += counts[axis][k - 1];
             let packed: Packed = bounds.into();
             // A cut with nothing on its right costs NaN, which is below nothing.
-            let total = half_area(&packed) * cost(count) + after[k].1;
+            let total = half_area(&packed) * cost(count, grain) + after[k].1;
             if count > 0 && total < best.0 {
                 best = (total, axis, k, packed, after[k].0);
             }
@@ -313,6 +313,7 @@ pub(crate) fn half_area(bounds: &Packed) -> f32 {
 
 /// What it costs to test this many items, in any unit.
 #[inline(always)]
-fn cost(count: u32) -> f32 {
-    count as f32
+fn cost(count: u32, grain: u32) -> f32 {
+    // Rounding up for well-shared meshes too was tried: leaves fuller by a twentieth, rays slower by as much.
+    if grain == 1 { count as f32 } else { count.div_ceil(grain) as f32 }
 }

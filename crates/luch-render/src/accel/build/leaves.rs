@@ -16,6 +16,12 @@ impl<P: Copy + Into<Vec3> + Sync> LeafMaker for Patches<'_, P> {
     type Leaf = Leaf;
     const MOST: usize = WIDTH;
 
+    fn grain(&self) -> u32 {
+        // Triangles that share no vertices: five of them fill a leaf, and a sixth would split it into halves.
+        let separate = self.positions.len() > 2 * self.triangles.len();
+        if separate { (WIDTH / 3) as u32 } else { 1 }
+    }
+
     fn make(&self, items: &[Item]) -> Option<Self::Leaf> {
         let mut known = [u32::MAX; WIDTH];
         let mut position = [[0_u32; 4]; WIDTH];

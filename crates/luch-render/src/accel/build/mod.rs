@@ -18,6 +18,11 @@ pub(crate) trait LeafMaker: Sync {
     /// Most items a leaf can have.
     const MOST: usize;
 
+    /// How many items, by guess, a leaf can have: to split off fewer saves nothing.
+    fn grain(&self) -> u32 {
+        1
+    }
+
     /// The leaf of these items, or `None` if they do not fit one and must be split.
     fn make(&self, items: &[Item]) -> Option<Self::Leaf>;
 }

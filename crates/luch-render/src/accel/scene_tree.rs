@@ -7,7 +7,7 @@ use super::lanes::at_level;
 use super::objects::Objects;
 use super::{packet, single};
 use crate::math::bounds::Bounds;
-use crate::math::ray::{Coherence, HitBatch, Mask, RayBatch};
+use crate::math::ray::{Coherence, HitBatch, LANES, Mask, RayBatch};
 use std::cell::RefCell;
 
 /// Work done per ray, for the cost view.
@@ -59,27 +59,34 @@ impl SceneTree {
             counts.resize(rays.len(), 0);
         }
         let closest = Closest { objects: &self.objects, rays, hits };
-        self.trace(level, Coherence::Incoherent, &mut Counted { closest, cost });
+        let groups = rays.padded_len() / LANES;
+        self.trace_alone(level, &mut Counted { closest, cost }, &mut (0..groups));
     }
 
     fn trace<J: Job>(&self, level: Level, coherence: Coherence, job: &mut J) {
-        thread_local! {
-            /// Memory of the kernels: each thread its own.
-            static SCRATCH: RefCell<Box<(packet::Scratch, single::Scratch)>> =
-                RefCell::new(Box::new((packet::Scratch::new(), single::Scratch::new())));
+        if coherence == Coherence::Incoherent {
+            let groups = job.groups();
+            return self.trace_alone(level, job, &mut (0..groups));
         }
+        let mut left = Vec::new();
         let objects = &self.objects;
-        SCRATCH.with_borrow_mut(|scratch| {
-            let (packet, single) = &mut **scratch;
-            if coherence == Coherence::Incoherent {
-                let mut names = 0..job.groups();
-                at_level!(level, simd => single::trace(simd, objects, single, job, &mut names));
-            } else {
-                let mut left = Vec::new();
-                at_level!(level, simd => packet::trace(simd, objects, packet, job, &mut left));
-                let mut names = left.into_iter();
-                at_level!(level, simd => single::trace(simd, objects, single, job, &mut names));
-            }
+        PACKET_SCRATCH.with_borrow_mut(|scratch| {
+            at_level!(level, simd => packet::trace(simd, objects, scratch, job, &mut left));
+        });
+        self.trace_alone(level, job, &mut left.into_iter());
+    }
+
+    /// Each ray of the groups on its own.
+    fn trace_alone<J: Job>(&self, level: Level, job: &mut J, groups: &mut dyn Iterator<Item = usize>) {
+        let objects = &self.objects;
+        SINGLE_SCRATCH.with_borrow_mut(|scratch| {
+            at_level!(level, simd => single::trace(simd, objects, scratch, job, groups));
         });
     }
+}
+
+thread_local! {
+    /// Memory of the kernels: each thread its own.
+    static PACKET_SCRATCH: RefCell<Box<packet::Scratch>> = RefCell::new(Box::new(packet::Scratch::new()));
+    static SINGLE_SCRATCH: RefCell<Box<single::Scratch>> = RefCell::new(Box::new(single::Scratch::new()));
 }

@@ -75,7 +75,7 @@ pub(crate) fn binary_tree<S: Wide, M: LeafMaker>(
     maker: &M,
     threads: usize,
 ) -> BinaryTree<M::Leaf> {
-    let mut spare = items.clone();
+    let mut spare = vec![[0.0; 8]; items.len()];
     let node = simd.vectorize(
         #[inline(always)]
         || range_of(simd, &items, 0),

@@ -69,7 +69,7 @@ struct Stage {
     position: Point,
     /// Middle of the box around it, once it stands.
     middle: Vec3,
-    /// Radius of the sphere around that box.
+    /// Distance from there to the farthest vertex of a triangle.
     radius: f32,
 }
 
@@ -102,10 +102,12 @@ impl Stage {
         // In f64, where the sum of two far corners and the square of a diagonal are exact enough.
         let [lo, hi] = mesh.bounds().map(Vec3::as_dvec3);
         let (middle, half) = ((lo + hi) * 0.5, (hi - lo) * 0.5);
+        let square_of = |v: &u32| (place(mesh, *v) - middle).length_squared();
+        let square = mesh.triangles().iter().flatten().map(square_of).fold(0.0, f64::max);
         Self {
             position: Point::clamped(DVec3::new(-middle.x, -lo.y, -middle.z).as_vec3()),
             middle: DVec3::new(0.0, half.y, 0.0).as_vec3(),
-            radius: narrow(half.length()).max(1e-6),
+            radius: narrow(square.sqrt()).max(1e-6),
         }
     }
 
@@ -143,18 +145,19 @@ impl Stage {
     }
 }
 
+fn place(mesh: &Mesh, vertex: u32) -> DVec3 {
+    let place = usize::try_from(vertex).ok().and_then(|v| mesh.positions().get(v));
+    Vec3::from_array(place.copied().unwrap_or_default()).as_dvec3()
+}
+
 /// The nearest distance from `eye` along `direction` at which the mesh is: where the picture should be sharp.
 ///
 /// Looks at every triangle (Moeller and Trumbore, 1997): there is no tree yet, and it is three rays in all.
 #[allow(clippy::arithmetic_side_effects, reason = "vectors of floats neither overflow nor panic")]
 fn first_hit(mesh: &Mesh, eye: Vec3, direction: Vec3) -> Option<f32> {
     let (eye, direction) = (eye.as_dvec3(), direction.as_dvec3());
-    let place = |v: u32| {
-        let place = usize::try_from(v).ok().and_then(|v| mesh.positions().get(v)).copied().unwrap_or_default();
-        Vec3::from_array(place).as_dvec3()
-    };
     let hit = |triangle: &[u32; 3]| {
-        let [a, b, c] = triangle.map(place);
+        let [a, b, c] = triangle.map(|v| place(mesh, v));
         let (ab, ac) = (b - a, c - a);
         let p = direction.cross(ac);
         let inverse = ab.dot(p).recip();
@@ -230,7 +233,7 @@ mod tests {
             let scene = around(&octahedron(Vec3::new(3.0, -7.0, 2.0) * size, size), "a.obj");
             let [lo, hi] = scene.bounds().unwrap();
             assert!(lo.y.abs() < 1e-5 * size && (lo.x + hi.x).abs() < 1e-5 * size && (lo.z + hi.z).abs() < 1e-5 * size);
-            let (middle, radius) = ((lo + hi) * 0.5, ((hi - lo) * 0.5).length());
+            let (middle, radius) = ((lo + hi) * 0.5, size);
             assert_eq!(scene.cameras.len(), 3);
             for camera in &scene.cameras {
                 let to_middle = middle - camera.position.get();

@@ -292,3 +292,57 @@ mod x86 {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::accel::available_levels;
+
+    fn some_nibbles() -> Nibbles {
+        let mut nibbles = Nibbles::ZERO;
+        (0..16).for_each(|lane| nibbles.set(lane, (lane * 7 + 3) % 16));
+        nibbles
+    }
+
+    #[test]
+    fn nibbles_keep_what_is_set_and_turn_round() {
+        let nibbles = some_nibbles();
+        for lane in 0..16 {
+            assert_eq!(nibbles.get(lane), (lane * 7 + 3) % 16);
+            assert_eq!(nibbles.reversed().get(lane), nibbles.get(15 - lane));
+        }
+    }
+
+    #[test]
+    fn pick_looks_up_the_same_at_every_level() {
+        fn picked<S: Wide>(simd: S) -> [f32; 16] {
+            let table = f32x16::from_fn(simd, |lane| lane as f32 * 10.0);
+            simd.pick(table, simd.index(some_nibbles())).into()
+        }
+        let want: [f32; 16] = std::array::from_fn(|lane| some_nibbles().get(lane) as f32 * 10.0);
+        for (name, level) in available_levels() {
+            assert_eq!(at_level!(level, simd => picked(simd)), want, "{name}");
+        }
+    }
+
+    #[test]
+    fn a_push_writes_exactly_the_lanes_hit() {
+        fn pushed<S: Wide>(simd: S, bits: u64) -> Vec<(u32, u32)> {
+            let (mut child, mut near) = ([0; 16], [0.0; 16]);
+            let links = u32x16::from_fn(simd, |lane| 100 + lane as u32);
+            let enter = f32x16::from_fn(simd, |lane| lane as f32 * 0.5);
+            let hit = mask32x16::from_bitmask(simd, bits);
+            let count = simd.push_hit(links, enter, hit, some_nibbles(), &mut child, &mut near);
+            let mut pairs: Vec<_> = (0..count).map(|k| (child[k], near[k].to_bits())).collect();
+            pairs.sort_unstable();
+            pairs
+        }
+        for (name, level) in available_levels() {
+            for bits in [0, 1, 0x8000, 0x5555, 0xffff, 0x0ff0] {
+                let lanes = (0..16).filter(|lane| bits >> lane & 1 != 0);
+                let want: Vec<_> = lanes.map(|lane| (100 + lane as u32, (lane as f32 * 0.5).to_bits())).collect();
+                assert_eq!(at_level!(level, simd => pushed(simd, bits)), want, "{name} {bits:x}");
+            }
+        }
+    }
+}

@@ -102,7 +102,8 @@ impl Waves {
             }
             return 0;
         }
-        let coherence = if number == 0 { Coherence::Coherent } else { Coherence::Incoherent };
+        // The first mirror images of neighbours are still near each other; later ones are not.
+        let coherence = if number <= 1 { Coherence::Coherent } else { Coherence::Incoherent };
         scene.tree.closest_hits(level, &self.mirror, coherence, &mut self.hits);
         let mut traced = self.mirror.len() as u64;
         let (rays, hits, surfaces) = (&self.mirror, &self.hits, &mut self.surfaces);

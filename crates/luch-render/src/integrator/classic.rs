@@ -172,7 +172,7 @@ impl Shadows {
         surfaces: &SurfaceBatch,
     ) -> u64 {
         let padded = rays.padded_len();
-        self.rays.clear();
+        // Lanes without a shadow ray keep the origin and direction of an earlier one: their length alone says so.
         self.rays.resize(rays.len());
         self.diffuse.resize(padded, 0.0);
         self.specular.resize(padded, 0.0);
@@ -197,16 +197,17 @@ impl Shadows {
             // Lanes without a shadow ray get nothing from the light either.
             wanted.select(added.0, zero).store_slice(&mut self.diffuse[at..at + LANES]);
             wanted.select(added.1, zero).store_slice(&mut self.specular[at..at + LANES]);
+            let mut length = Lanes::splat(simd, f32::NEG_INFINITY);
+            let lanes = self.rays.lanes_mut();
             if wanted.any_true() {
                 asked += u64::from(wanted.to_bitmask().count_ones());
-                let (origin, direction, length) = shadow_rays(simd, surfaces, at, position);
-                let lanes = self.rays.lanes_mut();
-                let nothing = Lanes::splat(simd, f32::NEG_INFINITY);
+                let (origin, direction, to_light) = shadow_rays(simd, surfaces, at, position);
                 origin.store(lanes.origin, at);
                 direction.store(lanes.direction, at);
-                zero.store_slice(&mut lanes.t_min[at..at + LANES]);
-                wanted.select(length, nothing).store_slice(&mut lanes.t_max[at..at + LANES]);
+                length = wanted.select(to_light, length);
             }
+            zero.store_slice(&mut lanes.t_min[at..at + LANES]);
+            length.store_slice(&mut lanes.t_max[at..at + LANES]);
         }
         asked
     }
@@ -244,20 +245,31 @@ pub(crate) fn lit_point<S: Simd>(simd: S, rays: &RayBatch, surfaces: &SurfaceBat
     }
 }
 
+/// Which surfaces of a group mirror anything.
+#[inline(always)]
+fn mirrors_of<S: Simd>(simd: S, surfaces: &SurfaceBatch, group: usize, hit: u16) -> LaneMask<S> {
+    let at = group * LANES;
+    let reflection = Lanes::from_slice(simd, &surfaces.reflection[at..at + LANES]);
+    reflection.simd_gt(Lanes::splat(simd, 0.0)) & LaneMask::from_bitmask(simd, u64::from(hit))
+}
+
 /// Makes the mirror rays of the surfaces that mirror anything, in the order of the rays they come from.
 #[inline(always)]
 fn send_mirrors<S: Simd>(simd: S, rays: &RayBatch, surfaces: &SurfaceBatch, wave: &mut Wave, next: &mut RayBatch) {
     let zero = Lanes::splat(simd, 0.0);
-    // Room for a ray from each, and for the last group to be written whole.
-    next.resize(rays.padded_len() + LANES);
+    let mut total = 0;
+    for (group, &hit) in surfaces.hit.iter().enumerate() {
+        total += mirrors_of(simd, surfaces, group, hit).to_bitmask().count_ones() as usize;
+    }
+    if total == 0 {
+        return;
+    }
+    // Room for the last group to be written whole.
+    next.resize(total + LANES);
     let mut count = 0;
     for (group, &hit) in surfaces.hit.iter().enumerate() {
         let at = group * LANES;
-        if hit == 0 {
-            continue;
-        }
-        let reflection = Lanes::from_slice(simd, &surfaces.reflection[at..at + LANES]);
-        let mirrors = reflection.simd_gt(zero) & LaneMask::from_bitmask(simd, u64::from(hit));
+        let mirrors = mirrors_of(simd, surfaces, group, hit);
         let mut bits = mirrors.to_bitmask();
         if bits == 0 {
             continue;

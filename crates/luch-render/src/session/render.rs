@@ -116,9 +116,12 @@ struct Worker<'a> {
     lens: Lens,
     tracer: Tracer<'a>,
     level: fearless_simd::Level,
-    /// The pixels of the tile in the order of their rays, and the place of each in `sums`.
-    pixels: Vec<[u32; 2]>,
+    /// The size that the order of pixels is known for; for each ray the pixel within the tile, and its place in `sums`.
+    ordered: [u32; 2],
+    offsets: Vec<[u32; 2]>,
     places: Vec<usize>,
+    /// The pixels of the tile at hand, in the order of their rays.
+    pixels: Vec<[u32; 2]>,
     rays: RayBatch,
     colors: Colors,
     /// Sums of the samples in the order of the rays, then in rows for the film.
@@ -133,8 +136,10 @@ impl<'a> Worker<'a> {
             lens: Lens::new(&job.camera, job.size, job.antialiasing.on, job.depth_of_field.on),
             tracer: Tracer::new(scene, level, job.integrator, job.depth),
             level,
-            pixels: Vec::new(),
+            ordered: [0, 0],
+            offsets: Vec::new(),
             places: Vec::new(),
+            pixels: Vec::new(),
             rays: RayBatch::new(),
             colors: Colors::default(),
             totals: Colors::default(),
@@ -167,18 +172,48 @@ impl<'a> Worker<'a> {
 
     /// Lists the tile's pixels in blocks of 8x8, each in blocks of 4x4, so that rays side by side lie side by side.
     fn order_pixels(&mut self, tile: Crop) {
+        let extent = [tile.width, tile.height];
+        // Nearly all tiles have one size, and with it one order.
+        if self.ordered != extent {
+            self.ordered = extent;
+            self.offsets = blocked_order(extent);
+            self.places = self.offsets.iter().map(|[x, y]| (y * tile.width + x) as usize * 3).collect();
+        }
         self.pixels.clear();
-        self.places.clear();
-        let blocks = |length: u32, side: u32| (0..length.div_ceil(side)).map(move |i| i * side);
-        for big in blocks(tile.height, 8).flat_map(|y| blocks(tile.width, 8).map(move |x| [x, y])) {
-            for small in [[0, 0], [4, 0], [0, 4], [4, 4]] {
-                for y in (big[1] + small[1]..(big[1] + small[1] + 4).min(tile.height)).take(4) {
-                    for x in (big[0] + small[0]..(big[0] + small[0] + 4).min(tile.width)).take(4) {
-                        self.pixels.push([tile.x + x, tile.y + y]);
-                        self.places.push((y * tile.width + x) as usize * 3);
+        self.pixels.extend(self.offsets.iter().map(|[x, y]| [tile.x + x, tile.y + y]));
+    }
+}
+
+/// The pixels of a rectangle in blocks of 8x8, each in blocks of 4x4, those in rows.
+fn blocked_order([width, height]: [u32; 2]) -> Vec<[u32; 2]> {
+    let starts = |from: u32, to: u32, step: usize| (from..to).step_by(step);
+    let mut order = Vec::with_capacity(width as usize * height as usize);
+    for y8 in starts(0, height, 8) {
+        for x8 in starts(0, width, 8) {
+            for y4 in starts(y8, height.min(y8 + 8), 4) {
+                for x4 in starts(x8, width.min(x8 + 8), 4) {
+                    for y in y4..height.min(y4 + 4) {
+                        order.extend((x4..width.min(x4 + 4)).map(|x| [x, y]));
                     }
                 }
             }
+        }
+    }
+    order
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_order_of_pixels_holds_each_once() {
+        for extent in [[32, 32], [1, 1], [13, 5], [8, 9], [64, 3]] {
+            let mut order = blocked_order(extent);
+            assert_eq!(order.len(), (extent[0] * extent[1]) as usize);
+            order.sort_unstable();
+            order.dedup();
+            assert_eq!(order.len(), (extent[0] * extent[1]) as usize, "{extent:?}");
         }
     }
 }

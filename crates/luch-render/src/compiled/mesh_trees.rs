@@ -1,5 +1,6 @@
 //! The trees of meshes, kept across edits of the scene.
 
+use super::shading_mesh::ShadingMesh;
 use crate::accel::MeshTree;
 use luch_scene::{Mesh, MeshId, Scene, Shape};
 use std::collections::{HashMap, HashSet};
@@ -8,7 +9,14 @@ use std::sync::Arc;
 /// One tree for each mesh that was compiled so far. A mesh never changes, so its tree never does.
 #[derive(Debug, Default)]
 pub struct MeshTrees {
-    trees: HashMap<MeshId, Arc<MeshTree>>,
+    trees: HashMap<MeshId, CompiledMesh>,
+}
+
+/// A mesh made ready for rays and for shading.
+#[derive(Debug, Clone)]
+pub(crate) struct CompiledMesh {
+    pub(crate) tree: Arc<MeshTree>,
+    pub(crate) shading: Arc<ShadingMesh>,
 }
 
 impl MeshTrees {
@@ -18,10 +26,13 @@ impl MeshTrees {
         Self::default()
     }
 
-    /// The tree of a mesh, built now if it is not known yet.
-    pub(crate) fn tree_of(&mut self, mesh: &Mesh, threads: usize) -> Arc<MeshTree> {
-        let build = || Arc::new(MeshTree::build(mesh.positions(), mesh.triangles(), threads));
-        Arc::clone(self.trees.entry(mesh.id()).or_insert_with(build))
+    /// The tree and layout of a mesh, built now if they are not known yet.
+    pub(crate) fn of(&mut self, mesh: &Mesh, threads: usize) -> CompiledMesh {
+        let build = || CompiledMesh {
+            tree: Arc::new(MeshTree::build(mesh.positions(), mesh.triangles(), threads)),
+            shading: Arc::new(ShadingMesh::new(mesh)),
+        };
+        self.trees.entry(mesh.id()).or_insert_with(build).clone()
     }
 
     /// Forgets the trees of meshes that the scene does not use.

@@ -2,15 +2,16 @@
 
 mod mesh_trees;
 mod object;
+mod shading_mesh;
 
 pub use mesh_trees::MeshTrees;
 pub(crate) use object::{CompiledChecker, CompiledObject, Look, Surface};
 pub use object::{highlight_exponent, highlight_strength};
 
-use crate::accel::{Geometry, SceneTree};
+use crate::accel::SceneTree;
 use crate::math::bounds::Bounds;
 use glam::Vec3;
-use luch_scene::Scene;
+use luch_scene::{Scene, Shape};
 
 /// A light, ready for the lighting sum.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,7 +43,7 @@ impl CompiledScene {
         self.tree.bounds()
     }
 
-    /// Bytes of the trees of all meshes in use, each counted once.
+    /// Bytes of the trees and shading layouts of all meshes in use, each counted once.
     #[must_use]
     pub const fn tree_bytes(&self) -> usize {
         self.tree_bytes
@@ -66,14 +67,18 @@ pub fn compile(scene: &Scene, trees: &mut MeshTrees, threads: usize) -> Compiled
     let mut geometry = Vec::with_capacity(scene.objects.len());
     let mut objects = Vec::with_capacity(scene.objects.len());
     for object in &scene.objects {
-        let shape = object::geometry_of(object, trees, threads);
-        if let (Geometry::Instance { tree, .. }, luch_scene::Shape::Mesh(instance)) = (&shape, &object.shape)
-            && counted.insert(instance.mesh.id())
+        let mesh = match &object.shape {
+            Shape::Mesh(instance) if !object.hidden => Some((instance.mesh.id(), trees.of(&instance.mesh, threads))),
+            _ => None,
+        };
+        if let Some((id, mesh)) = &mesh
+            && counted.insert(*id)
         {
-            tree_bytes += tree.memory_bytes();
+            tree_bytes += mesh.tree.memory_bytes() + mesh.shading.memory_bytes();
         }
-        geometry.push(shape);
-        objects.push(CompiledObject::of(object, scene.settings.shading));
+        let mesh = mesh.map(|(_, mesh)| mesh);
+        geometry.push(object::geometry_of(object, mesh.as_ref()));
+        objects.push(CompiledObject::of(object, mesh.as_ref(), scene.settings.shading));
     }
     CompiledScene {
         tree: SceneTree::build(&geometry),

@@ -1,6 +1,7 @@
 //! Objects made ready for rays: the geometry that the tree wants, and what shading wants to know of a hit.
 
-use super::MeshTrees;
+use super::mesh_trees::CompiledMesh;
+use super::shading_mesh::ShadingMesh;
 use crate::accel::{Geometry, Placement};
 use crate::shape::cuboid::Cuboid;
 use crate::shape::plane::Rectangle;
@@ -23,10 +24,27 @@ pub(crate) struct CompiledObject {
 /// The geometry behind a hit.
 #[derive(Debug)]
 pub(crate) enum Surface {
-    Sphere { center: Vec3, radius: f32 },
-    Cuboid { center: Vec3, half_size: Vec3, axes: Mat3 },
-    Plane { point: Vec3, normal: Vec3 },
-    Mesh { mesh: Arc<Mesh>, placement: Placement, rotation: Mat3 },
+    Sphere {
+        center: Vec3,
+        radius: f32,
+    },
+    Cuboid {
+        center: Vec3,
+        half_size: Vec3,
+        axes: Mat3,
+    },
+    Plane {
+        point: Vec3,
+        normal: Vec3,
+    },
+    Mesh {
+        mesh: Arc<Mesh>,
+        layout: Arc<ShadingMesh>,
+        placement: Placement,
+        rotation: Mat3,
+    },
+    /// A hidden object: no ray hits it.
+    Nothing,
 }
 
 /// Colour and highlight of a surface.
@@ -63,9 +81,10 @@ pub fn highlight_exponent(gloss: Unit) -> f32 {
 }
 
 impl CompiledObject {
-    pub(crate) fn of(object: &Object, scene_shading: Shading) -> Self {
+    /// `mesh` is the object's mesh, if it shows one.
+    pub(crate) fn of(object: &Object, mesh: Option<&CompiledMesh>, scene_shading: Shading) -> Self {
         let material = &object.material;
-        let surface = surface_of(&object.shape);
+        let surface = surface_of(&object.shape, mesh);
         Self {
             looks: looks_of(object),
             reflection: material.reflection.get(),
@@ -108,7 +127,7 @@ fn placement_of(instance: &MeshInstance) -> (Placement, Mat3) {
     (Placement::new(rotation, instance.scale.get(), instance.position.get()), rotation)
 }
 
-fn surface_of(shape: &Shape) -> Surface {
+fn surface_of(shape: &Shape, mesh: Option<&CompiledMesh>) -> Surface {
     match shape {
         Shape::Sphere { center, radius } => Surface::Sphere { center: center.get(), radius: radius.get() },
         Shape::Cuboid { center, size, rotation } => Surface::Cuboid {
@@ -117,10 +136,10 @@ fn surface_of(shape: &Shape) -> Surface {
             axes: rotation.matrix(),
         },
         Shape::Wall { point, normal, .. } => Surface::Plane { point: point.get(), normal: normal.unit() },
-        Shape::Mesh(instance) => {
+        Shape::Mesh(instance) => mesh.map_or(Surface::Nothing, |mesh| {
             let (placement, rotation) = placement_of(instance);
-            Surface::Mesh { mesh: Arc::clone(&instance.mesh), placement, rotation }
-        }
+            Surface::Mesh { mesh: Arc::clone(&instance.mesh), layout: Arc::clone(&mesh.shading), placement, rotation }
+        }),
     }
 }
 
@@ -146,8 +165,8 @@ fn checker_frame(shape: &Shape) -> (Vec3, [Vec3; 3], f32) {
     }
 }
 
-/// The shape as the tree wants it.
-pub(crate) fn geometry_of(object: &Object, trees: &mut MeshTrees, threads: usize) -> Geometry {
+/// The shape as the tree wants it; `mesh` is the object's mesh, if it shows one.
+pub(crate) fn geometry_of(object: &Object, mesh: Option<&CompiledMesh>) -> Geometry {
     if object.hidden {
         return Geometry::Hidden;
     }
@@ -166,10 +185,10 @@ pub(crate) fn geometry_of(object: &Object, trees: &mut MeshTrees, threads: usize
                 Rectangle { axis_u, axis_v, half_u: width.get() * 0.5, half_v: height.get() * 0.5 }
             }),
         },
-        Shape::Mesh(instance) => Geometry::Instance {
-            tree: trees.tree_of(&instance.mesh, threads),
+        Shape::Mesh(instance) => mesh.map_or(Geometry::Hidden, |mesh| Geometry::Instance {
+            tree: Arc::clone(&mesh.tree),
             world_from_object: placement_of(instance).0,
-        },
+        }),
     }
 }
 

@@ -6,8 +6,36 @@ use crate::sampler::{Use, sample_disk, sample_pair, sample_tent};
 use crate::simd::shade_at;
 use fearless_simd::Level;
 use fearless_simd::prelude::*;
+use fearless_simd::u32x16;
 use glam::Vec3;
 use luch_scene::{Camera, ImageSize};
+
+/// Pixels of a picture in the order of their rays, column and row from the top left, padded to whole groups of lanes.
+#[derive(Debug, Default)]
+pub(crate) struct PixelList {
+    columns: Vec<u32>,
+    rows: Vec<u32>,
+    len: usize,
+}
+
+impl PixelList {
+    /// Replaces the pixels.
+    pub(crate) fn set(&mut self, pixels: impl ExactSizeIterator<Item = [u32; 2]>) {
+        self.len = pixels.len();
+        let padded = self.len.next_multiple_of(LANES);
+        for list in [&mut self.columns, &mut self.rows] {
+            list.resize(padded, 0);
+        }
+        for ((column, row), [x, y]) in self.columns.iter_mut().zip(&mut self.rows).zip(pixels) {
+            (*column, *row) = (x, y);
+        }
+    }
+
+    /// How many pixels there are, padding not counted.
+    pub(crate) const fn len(&self) -> usize {
+        self.len
+    }
+}
 
 /// A camera made ready for the pixels of a picture.
 ///
@@ -50,50 +78,74 @@ impl Lens {
         }
     }
 
-    /// Makes the rays of one sample of the pixels, given by column and row from the top left.
-    pub(crate) fn rays(&self, level: Level, pixels: &[[u32; 2]], sample: u32, rays: &mut RayBatch) {
-        rays.resize(pixels.len());
+    /// Makes the rays of one sample of the pixels.
+    pub(crate) fn rays(&self, level: Level, pixels: &PixelList, sample: u32, rays: &mut RayBatch) {
+        rays.resize(pixels.len);
         shade_at!(level, simd => self.fill(simd, pixels, sample, rays));
     }
 
     #[inline(always)]
-    fn fill<S: Simd>(&self, simd: S, pixels: &[[u32; 2]], sample: u32, rays: &mut RayBatch) {
+    fn fill<S: Simd>(&self, simd: S, pixels: &PixelList, sample: u32, rays: &mut RayBatch) {
         let lanes = rays.lanes_mut();
         let [ox, oy, oz] = lanes.origin;
         let [dx, dy, dz] = lanes.direction;
-        for (group, at) in pixels.chunks(LANES).zip((0..).step_by(LANES)) {
-            let mut film = [[0.0; LANES]; 2];
-            let mut disk = [[0.0; LANES]; 2];
-            for (lane, &[x, y]) in group.iter().enumerate() {
-                let offset = if self.antialiasing {
-                    sample_pair(x, y, sample, Use::Pixel).map(|u| 0.5 + sample_tent(u))
-                } else {
-                    [0.5, 0.5]
-                };
-                #[allow(clippy::cast_precision_loss, reason = "a picture's side is far below 2^24")]
-                let place = [x as f32 + offset[0], y as f32 + offset[1]];
-                film[0][lane] = place[0];
-                film[1][lane] = place[1];
-                if self.radius > 0.0 {
-                    let point = sample_disk(sample_pair(x, y, sample, Use::Lens));
-                    disk[0][lane] = point[0];
-                    disk[1][lane] = point[1];
-                }
+        let half = Lanes::splat(simd, 0.5);
+        let mut offset = [[0.0; LANES]; 2];
+        let mut disk = [[0.0; LANES]; 2];
+        for at in (0..pixels.columns.len()).step_by(LANES) {
+            let columns = u32x16::from_slice(simd, &pixels.columns[at..at + LANES]);
+            let rows = u32x16::from_slice(simd, &pixels.rows[at..at + LANES]);
+            let [mut x, mut y]: [Lanes<S>; 2] = [columns.to_float(), rows.to_float()];
+            if self.antialiasing || self.radius > 0.0 {
+                self.draw(pixels, at, sample, &mut offset, &mut disk);
             }
-            let (origin, direction) = self.aim(simd, film, disk);
+            if self.antialiasing {
+                x += Lanes::load_array_ref(simd, &offset[0]);
+                y += Lanes::load_array_ref(simd, &offset[1]);
+            } else {
+                x += half;
+                y += half;
+            }
+            let (origin, direction) = self.aim(simd, [x, y], &disk);
             origin.store([&mut *ox, &mut *oy, &mut *oz], at);
             direction.store([&mut *dx, &mut *dy, &mut *dz], at);
-            for lane in 0..group.len() {
+            let live = pixels.len - at;
+            for lane in 0..LANES {
                 lanes.t_min[at + lane] = 0.0;
-                lanes.t_max[at + lane] = f32::INFINITY;
+                // The padding keeps rays that can hit nothing.
+                lanes.t_max[at + lane] = if lane < live { f32::INFINITY } else { f32::NEG_INFINITY };
+            }
+        }
+    }
+
+    /// Draws the places within the pixel's filter and on the lens for the pixels from `at` on.
+    #[inline(never)]
+    fn draw(
+        &self,
+        pixels: &PixelList,
+        at: usize,
+        sample: u32,
+        offset: &mut [[f32; LANES]; 2],
+        disk: &mut [[f32; LANES]; 2],
+    ) {
+        for lane in 0..LANES {
+            let (x, y) = (pixels.columns[at + lane], pixels.rows[at + lane]);
+            if self.antialiasing {
+                let [u, v] = sample_pair(x, y, sample, Use::Pixel);
+                offset[0][lane] = 0.5 + sample_tent(u);
+                offset[1][lane] = 0.5 + sample_tent(v);
+            }
+            if self.radius > 0.0 {
+                let [u, v] = sample_disk(sample_pair(x, y, sample, Use::Lens));
+                disk[0][lane] = u;
+                disk[1][lane] = v;
             }
         }
     }
 
     /// Origins and unit directions of the rays through places of the film (in pixels) and of the unit disk.
     #[inline(always)]
-    fn aim<S: Simd>(&self, simd: S, film: [[f32; LANES]; 2], disk: [[f32; LANES]; 2]) -> (Vec3Lanes<S>, Vec3Lanes<S>) {
-        let [x, y] = [Lanes::load_array_ref(simd, &film[0]), Lanes::load_array_ref(simd, &film[1])];
+    fn aim<S: Simd>(&self, simd: S, [x, y]: [Lanes<S>; 2], disk: &[[f32; LANES]; 2]) -> (Vec3Lanes<S>, Vec3Lanes<S>) {
         let half = Lanes::splat(simd, 0.5);
         let across = (x / self.size[0] - half) * self.extent[0];
         let along = (half - y / self.size[1]) * self.extent[1];
@@ -128,8 +180,14 @@ mod tests {
 
     fn rays_of(lens: &Lens, pixels: &[[u32; 2]], sample: u32) -> RayBatch {
         let mut rays = RayBatch::new();
-        lens.rays(SimdLevel::Auto.level_or_best(), pixels, sample, &mut rays);
+        lens.rays(SimdLevel::Auto.level_or_best(), &list(pixels), sample, &mut rays);
         rays
+    }
+
+    fn list(pixels: &[[u32; 2]]) -> PixelList {
+        let mut list = PixelList::default();
+        list.set(pixels.iter().copied());
+        list
     }
 
     #[test]
@@ -185,7 +243,7 @@ mod tests {
         for level in SimdLevel::available() {
             for (i, pixel) in pixels.iter().enumerate() {
                 let mut one = RayBatch::new();
-                lens.rays(level.level_or_best(), &[*pixel], 7, &mut one);
+                lens.rays(level.level_or_best(), &list(&[*pixel]), 7, &mut one);
                 assert_eq!(one.get(0), all.get(i), "{} {i}", level.word());
             }
         }

@@ -5,6 +5,7 @@ pub(crate) mod classic;
 mod debug;
 
 pub use camera::Lens;
+pub(crate) use camera::PixelList;
 
 use crate::compiled::CompiledScene;
 use crate::math::lanes::LANES;

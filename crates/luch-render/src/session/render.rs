@@ -5,7 +5,7 @@ use super::progress::Progress;
 use super::scheduler::{RenderWork, Scheduler};
 use crate::compiled::CompiledScene;
 use crate::film::Film;
-use crate::integrator::{Colors, Lens, Tracer};
+use crate::integrator::{Colors, Lens, PixelList, Tracer};
 use crate::math::ray::RayBatch;
 use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -121,7 +121,7 @@ struct Worker<'a> {
     offsets: Vec<[u32; 2]>,
     places: Vec<usize>,
     /// The pixels of the tile at hand, in the order of their rays.
-    pixels: Vec<[u32; 2]>,
+    pixels: PixelList,
     rays: RayBatch,
     colors: Colors,
     /// Sums of the samples in the order of the rays, then in rows for the film.
@@ -139,7 +139,7 @@ impl<'a> Worker<'a> {
             ordered: [0, 0],
             offsets: Vec::new(),
             places: Vec::new(),
-            pixels: Vec::new(),
+            pixels: PixelList::default(),
             rays: RayBatch::new(),
             colors: Colors::default(),
             totals: Colors::default(),
@@ -150,16 +150,18 @@ impl<'a> Worker<'a> {
     /// Renders a tile into `self.sums`; `false` if it was cancelled.
     fn tile(&mut self, work: &RenderWork, progress: &Progress) -> bool {
         self.order_pixels(work.tile);
-        self.totals.resize(self.pixels.len());
-        self.totals.0.iter_mut().for_each(|list| list.fill(0.0));
         for sample in work.first_sample..work.first_sample + work.samples {
             if progress.is_cancelled() {
                 return false;
             }
             self.lens.rays(self.level, &self.pixels, sample, &mut self.rays);
             let traced = self.tracer.trace(&mut self.rays, &mut self.colors);
-            for (totals, values) in self.totals.0.iter_mut().zip(&self.colors.0) {
-                totals.iter_mut().zip(values).for_each(|(total, value)| *total += value);
+            if sample == work.first_sample {
+                std::mem::swap(&mut self.totals, &mut self.colors);
+            } else {
+                for (totals, values) in self.totals.0.iter_mut().zip(&self.colors.0) {
+                    totals.iter_mut().zip(values).for_each(|(total, value)| *total += value);
+                }
             }
             progress.add(self.pixels.len() as u64, traced);
         }
@@ -179,8 +181,7 @@ impl<'a> Worker<'a> {
             self.offsets = blocked_order(extent);
             self.places = self.offsets.iter().map(|[x, y]| (y * tile.width + x) as usize * 3).collect();
         }
-        self.pixels.clear();
-        self.pixels.extend(self.offsets.iter().map(|[x, y]| [tile.x + x, tile.y + y]));
+        self.pixels.set(self.offsets.iter().map(|[x, y]| [tile.x + x, tile.y + y]));
     }
 }
 

@@ -147,6 +147,7 @@ impl Gathered {
                 lanes.put(&mut self.radius, 0.0);
             }
             Surface::Cuboid { .. } => lanes.put(&mut self.radius, 0.0),
+            Surface::Nothing => {}
             Surface::Mesh { placement, rotation, .. } => {
                 self.mesh |= bits;
                 if object.shading != Shading::Flat {
@@ -171,7 +172,7 @@ impl Gathered {
     #[inline(always)]
     fn fetch_primitives(&mut self, object: &CompiledObject, bits: u16, primitives: &[u32]) {
         match &object.surface {
-            Surface::Sphere { .. } | Surface::Plane { .. } => {}
+            Surface::Sphere { .. } | Surface::Plane { .. } | Surface::Nothing => {}
             Surface::Cuboid { center, half_size, axes } => {
                 for lane in lanes_of(bits) {
                     let face = primitives[lane] as usize;
@@ -181,16 +182,16 @@ impl Gathered {
                     One(lane).put_all(&mut self.normals[0], outward.to_array());
                 }
             }
-            Surface::Mesh { mesh, .. } => {
-                let (triangles, normal_triangles) = (mesh.triangles(), mesh.normal_triangles());
-                let (positions, normals) = (mesh.positions(), mesh.normals());
+            Surface::Mesh { mesh, layout, .. } => {
                 for lane in lanes_of(bits) {
                     let primitive = primitives[lane] as usize;
-                    let (corners, corner_normals) = (triangles[primitive], normal_triangles[primitive]);
-                    for k in 0..3 {
-                        One(lane).put_all(&mut self.vertices[k], positions[corners[k] as usize]);
-                        One(lane).put_all(&mut self.normals[k], normals[corner_normals[k] as usize]);
-                    }
+                    let [a, b, c] = layout.corners(primitive);
+                    One(lane).put_all(&mut self.vertices[0], a.position);
+                    One(lane).put_all(&mut self.vertices[1], b.position);
+                    One(lane).put_all(&mut self.vertices[2], c.position);
+                    One(lane).put_all(&mut self.normals[0], a.normal);
+                    One(lane).put_all(&mut self.normals[1], b.normal);
+                    One(lane).put_all(&mut self.normals[2], c.normal);
                     if let Some(&look) = mesh.triangle_materials().get(primitive) {
                         self.put_look(&object.looks[usize::from(look)], One(lane));
                     }

@@ -5,19 +5,27 @@ pub mod tonemap;
 use crate::session::Crop;
 
 /// A picture of linear light: for each pixel the sum of its samples, in the order of the samples.
+///
+/// It is kept in the tiles that it was made in: a thread hands its tile over without a copy, and the fresh memory of one
+/// tile is not waited for by the others.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Film {
     crop: Crop,
-    /// Red, green, blue; rows from the top.
-    sums: Vec<f32>,
+    tiles: Vec<Tile>,
     samples: u32,
 }
 
+/// A part of the picture: red, green, blue of each pixel, rows from the top.
+#[derive(Debug, Clone, PartialEq)]
+struct Tile {
+    place: Crop,
+    sums: Vec<f32>,
+}
+
 impl Film {
-    /// A black picture of a part of the whole, with room for sums of `samples` samples.
-    pub(crate) fn new(crop: Crop, samples: u32) -> Self {
-        let pixels = crop.width as usize * crop.height as usize;
-        Self { crop, sums: vec![0.0; pixels * 3], samples }
+    /// A black picture of a part of the whole, for sums of `samples` samples.
+    pub(crate) const fn new(crop: Crop, samples: u32) -> Self {
+        Self { crop, tiles: Vec::new(), samples }
     }
 
     /// Pixels in a row.
@@ -43,17 +51,24 @@ impl Film {
     pub fn linear(&self) -> Vec<f32> {
         #[allow(clippy::cast_precision_loss, reason = "at most 4096 samples")]
         let count = self.samples.max(1) as f32;
-        self.sums.iter().map(|sum| sum / count).collect()
+        let width = self.crop.width as usize;
+        let mut linear = vec![0.0; width * self.crop.height as usize * 3];
+        for Tile { place, sums } in &self.tiles {
+            let (left, top) = ((place.x - self.crop.x) as usize, (place.y - self.crop.y) as usize);
+            let row_len = place.width as usize * 3;
+            for (row, sums) in sums.chunks_exact(row_len).enumerate() {
+                let start = ((top + row) * width + left) * 3;
+                for (mean, sum) in linear[start..start + row_len].iter_mut().zip(sums) {
+                    *mean = sum / count;
+                }
+            }
+        }
+        linear
     }
 
-    /// Puts the sums of a part of the picture in their place; `sums` has the rows of `part` one after another.
-    pub(crate) fn put(&mut self, part: Crop, sums: &[f32]) {
-        let (width, left) = (self.crop.width as usize, (part.x - self.crop.x) as usize);
-        let row_len = part.width as usize * 3;
-        for (row, values) in sums.chunks_exact(row_len).enumerate() {
-            let y = (part.y - self.crop.y) as usize + row;
-            let start = (y * width + left) * 3;
-            self.sums[start..start + row_len].copy_from_slice(values);
-        }
+    /// Takes the sums of a part of the picture; `sums` has the rows of `place` one after another.
+    pub(crate) fn put(&mut self, place: Crop, sums: Vec<f32>) {
+        debug_assert_eq!(sums.len(), place.width as usize * place.height as usize * 3, "a tile is whole");
+        self.tiles.push(Tile { place, sums });
     }
 }

@@ -20,8 +20,6 @@ pub enum RenderError {
     Cancelled,
     /// The crop lies outside the picture.
     EmptyCrop,
-    /// The system gives no thread.
-    NoThread(String),
     /// A bug of the renderer: a thread panicked while it made this tile.
     Internal {
         /// The tile.
@@ -36,7 +34,6 @@ impl fmt::Display for RenderError {
         match self {
             Self::Cancelled => write!(f, "stopped"),
             Self::EmptyCrop => write!(f, "the crop lies outside the picture"),
-            Self::NoThread(reason) => write!(f, "the system gives no thread to render with: {reason}"),
             Self::Internal { tile: Crop { x, y, width, height }, message } => {
                 write!(f, "internal error in the tile of {width}x{height} pixels at {x},{y}: {message}")
             }
@@ -64,8 +61,8 @@ pub fn render(scene: &CompiledScene, job: &RenderJob, progress: &Progress) -> Re
         let mut worker = Worker::new(scene, job);
         while let Some(work) = scheduler.work(next.fetch_add(1, Ordering::Relaxed)) {
             match catch_unwind(AssertUnwindSafe(|| worker.tile(&work, progress))) {
-                Ok(true) => lock(&film).put(work.tile, &worker.sums),
-                Ok(false) => return,
+                Ok(Some(sums)) => lock(&film).put(work.tile, sums),
+                Ok(None) => return,
                 Err(panic) => {
                     // The other threads stop at their next sample; the first failure is the one told.
                     let message = message_of(panic.as_ref());
@@ -76,7 +73,7 @@ pub fn render(scene: &CompiledScene, job: &RenderJob, progress: &Progress) -> Re
             }
         }
     };
-    run_on_threads(job.threads.clamp(1, scheduler.len().max(1)), &work)?;
+    run_on_threads(job.threads.clamp(1, scheduler.len().max(1)), &work);
     if let Some(error) = lock(&failure).take() {
         return Err(error);
     }
@@ -86,19 +83,17 @@ pub fn render(scene: &CompiledScene, job: &RenderJob, progress: &Progress) -> Re
     Ok(film.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner))
 }
 
-/// Runs the same work on some named threads and waits for them. If the system gives fewer, those do it.
-fn run_on_threads(threads: usize, work: &(impl Fn() + Sync)) -> Result<(), RenderError> {
+/// Runs the same work on some named threads and waits for them. If the system gives fewer, those do it, and if it gives
+/// none, the caller does.
+fn run_on_threads(threads: usize, work: &(impl Fn() + Sync)) {
     thread::scope(|scope| {
-        for number in 0..threads {
-            let spawned = thread::Builder::new().name(format!("luch-render-{number}")).spawn_scoped(scope, work);
-            if let Err(error) = spawned
-                && number == 0
-            {
-                return Err(RenderError::NoThread(error.to_string()));
-            }
+        let spawn =
+            |number| thread::Builder::new().name(format!("luch-render-{number}")).spawn_scoped(scope, work).is_ok();
+        let started = (0..threads).filter(|&number| spawn(number)).count();
+        if started == 0 {
+            work();
         }
-        Ok(())
-    })
+    });
 }
 
 /// The lock, whether or not a thread panicked while it held it: what it guards is replaced whole.
@@ -116,7 +111,7 @@ struct Worker<'a> {
     lens: Lens,
     tracer: Tracer<'a>,
     level: fearless_simd::Level,
-    /// The size that the order of pixels is known for; for each ray the pixel within the tile, and its place in `sums`.
+    /// The size that the order of pixels is known for; for each ray the pixel within the tile, and its place in the sums.
     ordered: [u32; 2],
     offsets: Vec<[u32; 2]>,
     places: Vec<usize>,
@@ -124,9 +119,8 @@ struct Worker<'a> {
     pixels: PixelList,
     rays: RayBatch,
     colors: Colors,
-    /// Sums of the samples in the order of the rays, then in rows for the film.
+    /// Sums of the samples in the order of the rays.
     totals: Colors,
-    sums: Vec<f32>,
 }
 
 impl<'a> Worker<'a> {
@@ -143,16 +137,15 @@ impl<'a> Worker<'a> {
             rays: RayBatch::new(),
             colors: Colors::default(),
             totals: Colors::default(),
-            sums: Vec::new(),
         }
     }
 
-    /// Renders a tile into `self.sums`; `false` if it was cancelled.
-    fn tile(&mut self, work: &RenderWork, progress: &Progress) -> bool {
+    /// The sums of a tile's pixels in rows; `None` if it was cancelled.
+    fn tile(&mut self, work: &RenderWork, progress: &Progress) -> Option<Vec<f32>> {
         self.order_pixels(work.tile);
         for sample in work.first_sample..work.first_sample + work.samples {
             if progress.is_cancelled() {
-                return false;
+                return None;
             }
             self.lens.rays(self.level, &self.pixels, sample, &mut self.rays);
             let traced = self.tracer.trace(&mut self.rays, &mut self.colors);
@@ -165,11 +158,11 @@ impl<'a> Worker<'a> {
             }
             progress.add(self.pixels.len() as u64, traced);
         }
-        self.sums.resize(self.pixels.len() * 3, 0.0);
+        let mut sums = vec![0.0; self.pixels.len() * 3];
         for (index, &place) in self.places.iter().enumerate() {
-            self.sums[place..place + 3].copy_from_slice(&self.totals.get(index));
+            sums[place..place + 3].copy_from_slice(&self.totals.get(index));
         }
-        true
+        Some(sums)
     }
 
     /// Lists the tile's pixels in blocks of 8x8, each in blocks of 4x4, so that rays side by side lie side by side.

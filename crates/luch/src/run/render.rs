@@ -56,7 +56,9 @@ pub(crate) fn run(request: &Request, watch: &Watch) -> Result<(), Failure> {
 
     let loading = Stopwatch::start();
     let load = || source::load(&request.scene, request.memory, watch);
-    let Loaded { mut scene, warnings, mut budget } = stages.during("loading", None, load)?;
+    // A load that was stopped fails as the signal that stopped it.
+    let loaded = stages.during("loading", None, load).map_err(|failure| watch.check().err().unwrap_or(failure));
+    let Loaded { mut scene, warnings, mut budget } = loaded?;
     let load_ms = loading.wall_ms();
 
     let camera = request.apply(&mut scene)?;

@@ -32,5 +32,8 @@ mod simd;
 pub use compiled::{CompiledScene, MeshTrees, compile, highlight_exponent, highlight_strength};
 pub use film::Film;
 pub use integrator::{Integrator, Lens};
+pub use session::live::{
+    Epoch, LiveEnd, LivePhase, LiveRequest, LiveSession, LiveStatus, ObjectMap, Pick, Snapshot, pick,
+};
 pub use session::{Crop, Progress, RenderError, RenderJob, render};
 pub use simd::SimdLevel;

@@ -4,12 +4,12 @@ use super::shading_mesh::ShadingMesh;
 use crate::accel::MeshTree;
 use luch_scene::{Mesh, MeshId, Scene, Shape};
 use std::collections::{HashMap, HashSet};
-use std::sync::Arc;
+use std::sync::{Arc, Weak};
 
 /// One tree for each mesh that was compiled so far. A mesh never changes, so its tree never does.
 #[derive(Debug, Default)]
 pub struct MeshTrees {
-    trees: HashMap<MeshId, CompiledMesh>,
+    trees: HashMap<MeshId, (Weak<Mesh>, CompiledMesh)>,
 }
 
 /// A mesh made ready for rays and for shading.
@@ -27,12 +27,17 @@ impl MeshTrees {
     }
 
     /// The tree and layout of a mesh, built now if they are not known yet.
-    pub(crate) fn of(&mut self, mesh: &Mesh, threads: usize) -> CompiledMesh {
-        let build = || CompiledMesh {
-            tree: Arc::new(MeshTree::build(mesh.positions(), mesh.triangles(), threads)),
-            shading: Arc::new(ShadingMesh::new(mesh)),
+    pub(crate) fn of(&mut self, mesh: &Arc<Mesh>, threads: usize) -> CompiledMesh {
+        let build = || {
+            let tree = Arc::new(MeshTree::build(mesh.positions(), mesh.triangles(), threads));
+            (Arc::downgrade(mesh), CompiledMesh { tree, shading: Arc::new(ShadingMesh::new(mesh)) })
         };
-        self.trees.entry(mesh.id()).or_insert_with(build).clone()
+        self.trees.entry(mesh.id()).or_insert_with(build).1.clone()
+    }
+
+    /// Forgets the trees of meshes that nobody holds any more: no scene can ask for them again.
+    pub fn keep_living(&mut self) {
+        self.trees.retain(|_, (mesh, _)| mesh.strong_count() > 0);
     }
 
     /// Forgets the trees of meshes that the scene does not use.

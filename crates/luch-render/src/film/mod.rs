@@ -3,11 +3,12 @@
 pub mod tonemap;
 
 use crate::session::Crop;
+use std::sync::Arc;
 
 /// A picture of linear light: for each pixel the sum of its samples, in the order of the samples.
 ///
 /// It is kept in the tiles that it was made in: a thread hands its tile over without a copy, and the fresh memory of one
-/// tile is not waited for by the others.
+/// tile is not waited for by the others. Tiles are shared, never changed: to copy a film is cheap.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Film {
     crop: Crop,
@@ -19,7 +20,7 @@ pub struct Film {
 #[derive(Debug, Clone, PartialEq)]
 struct Tile {
     place: Crop,
-    sums: Vec<f32>,
+    sums: Arc<Vec<f32>>,
 }
 
 impl Film {
@@ -49,8 +50,7 @@ impl Film {
     /// Linear red, green, blue of each pixel, rows from the top: the mean of the samples.
     #[must_use]
     pub fn linear(&self) -> Vec<f32> {
-        #[allow(clippy::cast_precision_loss, reason = "at most 4096 samples")]
-        let count = self.samples.max(1) as f32;
+        let count = tonemap::divisor(self.samples);
         let width = self.crop.width as usize;
         let mut linear = vec![0.0; width * self.crop.height as usize * 3];
         for Tile { place, sums } in &self.tiles {
@@ -67,7 +67,7 @@ impl Film {
     }
 
     /// Takes the sums of a part of the picture; `sums` has the rows of `place` one after another.
-    pub(crate) fn put(&mut self, place: Crop, sums: Vec<f32>) {
+    pub(crate) fn put(&mut self, place: Crop, sums: Arc<Vec<f32>>) {
         debug_assert_eq!(sums.len(), place.width as usize * place.height as usize * 3, "a tile is whole");
         self.tiles.push(Tile { place, sums });
     }

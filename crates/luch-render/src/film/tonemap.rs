@@ -6,44 +6,69 @@ use std::sync::OnceLock;
 /// Steps of the table that finds an 8-bit value: fine enough that a step holds at most one border between values.
 const STEPS: usize = 1 << 13;
 
+/// Finds the sRGB byte of a linear value in two looks; small enough to stay in the nearest cache.
+struct Bytes {
+    /// The byte at the start of each step of linear light.
+    below: [u8; STEPS + 1],
+    /// The smallest value that has a byte above this one.
+    next: [f32; 256],
+}
+
 /// sRGB bytes of linear values; what is below 0 or above 1 is moved to the nearer end, NaN to 0.
 #[must_use]
 pub fn srgb8(linear: &[f32]) -> Vec<u8> {
-    static TABLE: OnceLock<Vec<(u8, f32)>> = OnceLock::new();
-    let table = TABLE.get_or_init(table_8);
-    linear
-        .iter()
-        .map(|&value| {
-            // Written so that NaN, which fails the comparison, becomes 0.
-            let value = if value > 0.0 { value.min(1.0) } else { 0.0 };
-            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "in 0..=STEPS")]
-            let (below, border) = table[(value * STEPS as f32) as usize];
-            if value >= border { below + 1 } else { below }
-        })
+    let bytes = Bytes::get();
+    linear.iter().map(|&value| bytes.of(value)).collect()
+}
+
+/// sRGB bytes and opacity of pixels whose linear red, green, blue are the sums of `samples` values: those of [`srgb8`] of
+/// the means.
+pub(crate) fn opaque_srgb8(sums: &[f32], samples: u32) -> Vec<[u8; 4]> {
+    let (bytes, count) = (Bytes::get(), divisor(samples));
+    sums.chunks_exact(3)
+        .map(|sum| [bytes.of(sum[0] / count), bytes.of(sum[1] / count), bytes.of(sum[2] / count), 255])
         .collect()
 }
 
-/// For each step of linear light the byte at its start, and the value at which the next byte begins (2 if it does not
-/// begin within the step).
-fn table_8() -> Vec<(u8, f32)> {
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "in 0..=255")]
-    let byte = |value: f32| (srgb_from_linear(value) * 255.0 + 0.5) as u8;
-    (0..=STEPS)
-        .map(|step| {
-            let (start, end) = (step as f32 / STEPS as f32, (step + 1) as f32 / STEPS as f32);
-            let below = byte(start);
-            if byte(end.min(1.0)) == below {
-                return (below, 2.0);
+/// What a sum of that many samples is divided by to give their mean.
+#[allow(clippy::cast_precision_loss, reason = "at most 4096 samples")]
+pub(crate) fn divisor(samples: u32) -> f32 {
+    samples.max(1) as f32
+}
+
+impl Bytes {
+    fn get() -> &'static Self {
+        static BYTES: OnceLock<Box<Bytes>> = OnceLock::new();
+        BYTES.get_or_init(|| Box::new(Self::new()))
+    }
+
+    fn new() -> Self {
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "in 0..=255")]
+        let byte = |value: f32| (srgb_from_linear(value) * 255.0 + 0.5) as u8;
+        let below = std::array::from_fn(|step| byte(step as f32 / STEPS as f32));
+        let next = std::array::from_fn(|at| {
+            if at == 255 {
+                return f32::INFINITY;
             }
-            // The smallest float of the step that has the next byte, by bisection over the bits.
-            let (mut low, mut high) = (start.to_bits(), end.min(1.0).to_bits());
+            // The smallest float that has a larger byte, by bisection over the bits.
+            let (mut low, mut high) = (0.0_f32.to_bits(), 1.0_f32.to_bits());
             while high - low > 1 {
                 let middle = low + (high - low) / 2;
-                if byte(f32::from_bits(middle)) == below { low = middle } else { high = middle }
+                if usize::from(byte(f32::from_bits(middle))) <= at { low = middle } else { high = middle }
             }
-            (below, f32::from_bits(high))
-        })
-        .collect()
+            f32::from_bits(high)
+        });
+        Self { below, next }
+    }
+
+    #[inline]
+    fn of(&self, value: f32) -> u8 {
+        // Written so that NaN, which fails the comparison, becomes 0.
+        let value = if value > 0.0 { value.min(1.0) } else { 0.0 };
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "in 0..=STEPS")]
+        let below = self.below[(value * STEPS as f32) as usize];
+        below + u8::from(value >= self.next[usize::from(below)])
+    }
 }
 
 /// sRGB values of 16 bits of linear values; what is below 0 or above 1 is moved to the nearer end, NaN to 0.

@@ -78,6 +78,20 @@ impl Lens {
         }
     }
 
+    /// The lens closed, with one ray through the centre of each block of `shrink` times `shrink` pixels: block (i, j)
+    /// takes the place of pixel (i, j). The last blocks of a row or column may reach beyond the picture.
+    #[must_use]
+    pub(crate) fn of_blocks(self, shrink: u32) -> Self {
+        #[allow(clippy::cast_precision_loss, reason = "at most the side of a picture")]
+        let side = shrink as f32;
+        Self { size: self.size.map(|pixels| pixels / side), radius: 0.0, antialiasing: false, ..self }
+    }
+
+    /// Whether every ray goes through the centre of its pixel, from the centre of the lens.
+    pub(crate) fn is_centered(&self) -> bool {
+        !self.antialiasing && self.radius == 0.0
+    }
+
     /// Makes the rays of one sample of the pixels.
     pub(crate) fn rays(&self, level: Level, pixels: &PixelList, sample: u32, rays: &mut RayBatch) {
         rays.resize(pixels.len);

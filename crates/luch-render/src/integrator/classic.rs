@@ -4,7 +4,7 @@
 //! of them it reaches, and send the mirror rays on as the next wave. When no wave is left, the colours are mixed on the
 //! way back, deepest first: `(1 - r) * local + r * mirrored`.
 
-use super::Colors;
+use super::{Colors, Orders};
 use crate::compiled::{CompiledLight, CompiledScene};
 use crate::math::lanes::{LANES, LaneMask, Lanes, Vec3Lanes};
 use crate::math::ray::{Coherence, HitBatch, Mask, RayBatch};
@@ -13,13 +13,11 @@ use crate::shading::spawn::{mirror_rays, shadow_rays};
 use crate::shading::surface::{SurfaceBatch, parts, views};
 use crate::shading::terms::{LightTerms, LitPoint, limited, share};
 use crate::simd::shade_at;
-use fearless_simd::Level;
 use fearless_simd::prelude::*;
 
-/// The memory of a tracer, and the depth that it goes to.
-#[derive(Debug)]
+/// The memory of a tracer.
+#[derive(Debug, Default)]
 pub(crate) struct Waves {
-    depth: u32,
     hits: HitBatch,
     surfaces: SurfaceBatch,
     shadows: Shadows,
@@ -28,6 +26,9 @@ pub(crate) struct Waves {
     /// What is kept of each wave until the colours are mixed.
     kept: Vec<Wave>,
 }
+
+/// Waves whose memory is kept from picture to picture.
+const KEPT_WAVES: usize = 32;
 
 /// What is kept of a wave.
 #[derive(Debug, Default)]
@@ -47,27 +48,15 @@ struct Shadows {
 }
 
 impl Waves {
-    /// Memory for paths of at most `depth` surfaces.
-    pub(crate) fn new(depth: u32) -> Self {
-        Self {
-            depth,
-            hits: HitBatch::new(),
-            surfaces: SurfaceBatch::default(),
-            shadows: Shadows::default(),
-            mirror: RayBatch::new(),
-            next: RayBatch::new(),
-            kept: Vec::new(),
-        }
-    }
-
-    /// Works out the colour of every ray and answers with the number of rays traced. The batch is used up.
+    /// Works out the colour of every ray and answers with the number of rays traced; `None` if it was stopped. The batch
+    /// is used up. `objects` gets the objects of the first wave, if it looks for any.
     pub(crate) fn trace(
         &mut self,
-        scene: &CompiledScene,
-        level: Level,
+        orders: &Orders<'_>,
         rays: &mut RayBatch,
         colors: &mut Colors,
-    ) -> u64 {
+        mut objects: Option<&mut Vec<u32>>,
+    ) -> Option<u64> {
         let mut traced = 0;
         let mut waves = 0;
         std::mem::swap(&mut self.mirror, rays);
@@ -76,8 +65,14 @@ impl Waves {
                 self.kept.push(Wave::default());
             }
             let mut wave = std::mem::take(&mut self.kept[waves]);
-            traced += self.trace_wave(scene, level, u32::try_from(waves).unwrap_or(u32::MAX), &mut wave);
+            traced += self.trace_wave(orders, u32::try_from(waves).unwrap_or(u32::MAX), &mut wave)?;
             self.kept[waves] = wave;
+            if waves == 0
+                && let Some(objects) = objects.take()
+                && orders.depth > 0
+            {
+                objects.clone_from(&self.hits.object);
+            }
             waves += 1;
             std::mem::swap(&mut self.mirror, &mut self.next);
         }
@@ -88,19 +83,31 @@ impl Waves {
         {
             std::mem::swap(&mut first.colors, colors);
         }
-        traced
+        Some(traced)
     }
 
-    /// Traces the rays of `self.mirror` as wave number `number`, leaving its mirror rays in `self.next`.
-    fn trace_wave(&mut self, scene: &CompiledScene, level: Level, number: u32, wave: &mut Wave) -> u64 {
+    /// Forgets the waves that only uncommonly deep pictures have.
+    pub(crate) fn shrink(&mut self) {
+        self.kept.truncate(KEPT_WAVES);
+        self.kept.shrink_to_fit();
+    }
+
+    /// Traces the rays of `self.mirror` as wave number `number`, leaving its mirror rays in `self.next`; `None` if it was
+    /// stopped.
+    fn trace_wave(&mut self, orders: &Orders<'_>, number: u32, wave: &mut Wave) -> Option<u64> {
+        let Orders { scene, level, depth, stop, .. } = *orders;
         wave.colors.resize(self.mirror.len());
         wave.mirrors.clear();
         self.next.clear();
-        if number >= self.depth {
+        if number >= depth {
             for index in 0..self.mirror.len() {
                 wave.colors.set(index, scene.background.to_array());
             }
-            return 0;
+            return Some(0);
+        }
+        // A path may be ten thousand surfaces long, and a scene may have as many lights: none waits for them to end.
+        if stop() {
+            return None;
         }
         // The first mirror images of neighbours are still near each other; later ones are not.
         let coherence = if number <= 1 { Coherence::Coherent } else { Coherence::Incoherent };
@@ -112,6 +119,9 @@ impl Waves {
             ambient(simd, scene, surfaces, &mut wave.colors);
         });
         for light in &scene.lights {
+            if stop() {
+                return None;
+            }
             let (surfaces, shadows) = (&self.surfaces, &mut self.shadows);
             let asked = shade_at!(level, simd => shadows.ask(simd, scene, light, (rays, hits), surfaces));
             if asked == 0 {
@@ -123,7 +133,7 @@ impl Waves {
         }
         let next = &mut self.next;
         shade_at!(level, simd => send_mirrors(simd, rays, surfaces_of(&self.surfaces), wave, next));
-        traced
+        Some(traced)
     }
 
     /// Mixes the colours of the waves into those of the first, deepest first.

@@ -1,12 +1,11 @@
 //! Views that show what the tracer sees: normals, distances, objects, work.
 
-use super::{Colors, Integrator};
+use super::{Colors, Integrator, Orders};
 use crate::accel::CostBatch;
 use crate::compiled::CompiledScene;
 use crate::math::ray::{Coherence, HitBatch, RayBatch};
 use crate::shading::surface::SurfaceBatch;
 use crate::simd::shade_at;
-use fearless_simd::Level;
 
 /// The memory of the debug views.
 #[derive(Debug, Default)]
@@ -23,16 +22,19 @@ impl Views {
     /// Works out the colour of every ray and answers with the number of rays traced.
     pub(super) fn trace(
         &mut self,
-        scene: &CompiledScene,
-        level: Level,
-        view: Integrator,
+        orders: &Orders<'_>,
         rays: &RayBatch,
         colors: &mut Colors,
+        objects: Option<&mut Vec<u32>>,
     ) -> u64 {
+        let Orders { scene, level, integrator: view, .. } = *orders;
         if view == Integrator::Cost {
             scene.tree.closest_hits_counted(level, rays, &mut self.hits, &mut self.cost);
         } else {
             scene.tree.closest_hits(level, rays, Coherence::Coherent, &mut self.hits);
+        }
+        if let Some(objects) = objects {
+            objects.clone_from(&self.hits.object);
         }
         let (hits, surfaces) = (&self.hits, &mut self.surfaces);
         if view == Integrator::Normal {

@@ -76,29 +76,46 @@ impl Colors {
     }
 }
 
-/// An integrator with the memory that it works in; each thread has its own.
-#[derive(Debug)]
-pub(crate) struct Tracer<'a> {
-    scene: &'a CompiledScene,
-    level: Level,
-    integrator: Integrator,
+/// What a tracer is to do: the same for all rays of a picture.
+#[derive(Clone, Copy)]
+pub(crate) struct Orders<'a> {
+    pub(crate) scene: &'a CompiledScene,
+    pub(crate) level: Level,
+    pub(crate) integrator: Integrator,
+    /// Surfaces along a path.
+    pub(crate) depth: u32,
+    /// Asked between the queries of a batch: whether the work is to be given up.
+    pub(crate) stop: &'a dyn Fn() -> bool,
+}
+
+/// The memory that rays are traced in; each thread has its own, for picture after picture.
+#[derive(Debug, Default)]
+pub(crate) struct Tracer {
     classic: classic::Waves,
     debug: debug::Views,
 }
 
-impl<'a> Tracer<'a> {
-    /// A tracer of paths of at most `depth` surfaces.
-    pub(crate) fn new(scene: &'a CompiledScene, level: Level, integrator: Integrator, depth: u32) -> Self {
-        Self { scene, level, integrator, classic: classic::Waves::new(depth), debug: debug::Views::default() }
+impl Tracer {
+    /// Works out the colour of every ray of the batch and answers with the number of rays traced for it; `None` if the
+    /// work was given up. The batch is used up. `objects`, if it is asked for, gets the object that each ray met, or
+    /// stays empty where the integrator looked for none.
+    pub(crate) fn trace(
+        &mut self,
+        orders: &Orders<'_>,
+        rays: &mut RayBatch,
+        colors: &mut Colors,
+        objects: Option<&mut Vec<u32>>,
+    ) -> Option<u64> {
+        colors.resize(rays.len());
+        if orders.integrator == Integrator::Classic {
+            self.classic.trace(orders, rays, colors, objects)
+        } else {
+            Some(self.debug.trace(orders, rays, colors, objects))
+        }
     }
 
-    /// Works out the colour of every ray of the batch and answers with the number of rays traced for it.
-    pub(crate) fn trace(&mut self, rays: &mut RayBatch, colors: &mut Colors) -> u64 {
-        colors.resize(rays.len());
-        if self.integrator == Integrator::Classic {
-            self.classic.trace(self.scene, self.level, rays, colors)
-        } else {
-            self.debug.trace(self.scene, self.level, self.integrator, rays, colors)
-        }
+    /// Gives back what only an uncommonly deep picture needs.
+    pub(crate) fn shrink(&mut self) {
+        self.classic.shrink();
     }
 }

@@ -1,9 +1,12 @@
 //! Rendering as work: what is to be made, in which order, by which threads, and how to stop it.
 
 mod job;
+pub mod live;
 mod progress;
+mod queue;
 mod render;
 mod scheduler;
+mod worker;
 
 pub use job::{Crop, RenderJob};
 pub use progress::Progress;

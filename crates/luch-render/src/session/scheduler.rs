@@ -1,6 +1,7 @@
 //! Decides what is rendered next. It knows nothing of threads and renders nothing itself.
 
 use super::job::Crop;
+use std::sync::Arc;
 
 /// A piece of work: some samples of some pixels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -16,7 +17,8 @@ pub struct RenderWork {
 /// Cuts a picture into tiles and hands them out from the middle outwards, where people look first.
 #[derive(Debug, Clone)]
 pub struct Scheduler {
-    tiles: Vec<Crop>,
+    tiles: Arc<[Crop]>,
+    first_sample: u32,
     samples: u32,
 }
 
@@ -42,25 +44,38 @@ impl Scheduler {
             // A stable sort: tiles at the same distance keep their order, so that every run is the same.
             dx * dx + dy * dy
         });
-        Self { tiles, samples }
+        Self { tiles: tiles.into(), first_sample: 0, samples }
+    }
+
+    /// The same tiles in the same order, for other samples. Cheap.
+    #[must_use]
+    pub fn pass(&self, first_sample: u32, samples: u32) -> Self {
+        Self { tiles: Arc::clone(&self.tiles), first_sample, samples }
     }
 
     /// How many pieces of work there are.
     #[must_use]
-    pub const fn len(&self) -> usize {
+    pub fn len(&self) -> usize {
         self.tiles.len()
     }
 
     /// Whether there is nothing to do.
     #[must_use]
-    pub const fn is_empty(&self) -> bool {
+    pub fn is_empty(&self) -> bool {
         self.tiles.is_empty()
     }
 
     /// Piece of work number `index`; `None` beyond the last.
     #[must_use]
     pub fn work(&self, index: usize) -> Option<RenderWork> {
-        self.tiles.get(index).map(|&tile| RenderWork { tile, first_sample: 0, samples: self.samples })
+        let tile = *self.tiles.get(index)?;
+        Some(RenderWork { tile, first_sample: self.first_sample, samples: self.samples })
+    }
+
+    /// The tiles, in the order in which they are handed out.
+    #[must_use]
+    pub fn tiles(&self) -> &[Crop] {
+        &self.tiles
     }
 }
 

@@ -1,0 +1,91 @@
+//! A picture in the making: its tiles, and what the passes made of them so far.
+
+use super::pass::Made;
+use crate::film::Film;
+use crate::session::job::Crop;
+use crate::session::scheduler::Scheduler;
+use luch_scene::ImageSize;
+use std::sync::Arc;
+
+/// The tiles of a picture, or of its preview, with the sums of their samples.
+pub(super) struct Canvas {
+    extent: Crop,
+    plan: Scheduler,
+    sums: Vec<Option<Arc<Vec<f32>>>>,
+    samples: u32,
+}
+
+/// Side of the tiles, at most: small enough that a cancelled pass ends at once.
+const TILE_SIZE: u32 = 32;
+/// Tiles for each thread, at least, where the picture has the pixels for it.
+const TILES_A_THREAD: u64 = 8;
+
+impl Canvas {
+    /// A canvas of one ray for each block of `shrink` times `shrink` pixels of a picture.
+    pub(super) fn new(size: ImageSize, shrink: u32, threads: usize) -> Self {
+        let (width, height) = (size.width().div_ceil(shrink), size.height().div_ceil(shrink));
+        let extent = Crop { x: 0, y: 0, width, height };
+        let tiles = (threads as u64).saturating_mul(TILES_A_THREAD);
+        let fits = |side: &u32| u64::from(width) * u64::from(height) / u64::from(side * side) >= tiles;
+        let side = [TILE_SIZE, TILE_SIZE / 2].into_iter().find(fits).unwrap_or(TILE_SIZE / 4);
+        let plan = Scheduler::new(extent, side, 1);
+        let sums = vec![None; plan.len()];
+        Self { extent, plan, sums, samples: 0 }
+    }
+
+    pub(super) const fn width(&self) -> u32 {
+        self.extent.width
+    }
+
+    pub(super) const fn height(&self) -> u32 {
+        self.extent.height
+    }
+
+    /// Samples that every pixel has.
+    pub(super) const fn samples(&self) -> u32 {
+        self.samples
+    }
+
+    /// The next `samples` samples.
+    pub(super) fn plan(&self, samples: u32) -> Scheduler {
+        self.plan.pass(self.samples, samples)
+    }
+
+    /// The sums so far, by tile.
+    pub(super) fn sums(&self) -> Vec<Option<Arc<Vec<f32>>>> {
+        if self.samples == 0 { Vec::new() } else { self.sums.clone() }
+    }
+
+    /// Takes what a whole pass made.
+    pub(super) fn take(&mut self, made: &[Made], samples: u32) {
+        for made in made {
+            self.sums[made.tile] = Some(Arc::clone(&made.sums));
+        }
+        self.samples += samples;
+    }
+
+    /// The film as it is now.
+    pub(super) fn film(&self) -> Film {
+        let mut film = Film::new(self.extent, self.samples);
+        for (tile, sums) in self.plan.tiles().iter().zip(&self.sums) {
+            if let Some(sums) = sums {
+                film.put(*tile, Arc::clone(sums));
+            }
+        }
+        film
+    }
+
+    /// Puts the parts of all tiles together, by rows of the whole.
+    pub(super) fn assemble<'a, T: Copy + 'a>(&self, blank: T, parts: impl Iterator<Item = (usize, &'a [T])>) -> Vec<T> {
+        let width = self.extent.width as usize;
+        let mut whole = vec![blank; width * self.extent.height as usize];
+        for (tile, part) in parts {
+            let tile = self.plan.tiles()[tile];
+            for (row, values) in part.chunks_exact(tile.width as usize).enumerate() {
+                let start = (tile.y as usize + row) * width + tile.x as usize;
+                whole[start..start + values.len()].copy_from_slice(values);
+            }
+        }
+        whole
+    }
+}

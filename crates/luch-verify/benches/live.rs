@@ -1,0 +1,185 @@
+//! How soon the interactive session answers: no window, but the requests that one makes.
+//!
+//! `cargo bench -p luch-verify --bench live`. The chess scene at 1280x720 with the threads of the machine. Requests come
+//! every 16 ms, as from a hand that drags, while the picture before is being refined; times are from the call of `show`
+//! until the snapshot can be taken.
+
+#![allow(clippy::print_stdout, reason = "a bench prints its figures")]
+
+use luch_render::{LiveEnd, LivePhase, LiveRequest, LiveSession, RenderJob, Snapshot};
+use luch_scene::{Aim, Color, Point, Scene};
+use luch_verify::{built_in, job};
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, RecvTimeoutError, sync_channel};
+use std::time::{Duration, Instant};
+
+const FRAME: Duration = Duration::from_millis(16);
+const EDITS: usize = 250;
+
+fn main() {
+    let base = Arc::new(built_in("chess"));
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    println!("chess, 1280x720, {threads} threads, {EDITS} requests every {} ms", FRAME.as_millis());
+    println!("{:34} {:>9} {:>9} {:>9}  shown as", "ms", "median", "95 %", "most");
+    for effects in [1, 16] {
+        let mut job = job(&base, 0, [1280, 720], effects);
+        job.threads = threads;
+        let of = if effects > 1 { ", 16 rays" } else { "" };
+        drag(&format!("colour{of}"), &base, &job, &recolored);
+        drag(&format!("position{of}"), &base, &job, &moved);
+        drag(&format!("orbit{of}"), &base, &job, &orbited);
+    }
+    let mut job = job(&base, 0, [1280, 720], 1);
+    job.threads = threads;
+    full(&base, &job);
+    cancel(&base, &job);
+}
+
+/// A session with a bell that rings when there is something new.
+struct Watched {
+    session: LiveSession,
+    bell: Receiver<()>,
+}
+
+impl Watched {
+    fn start() -> Self {
+        let (ring, bell) = sync_channel(1);
+        let wake = move || {
+            let _ = ring.try_send(());
+        };
+        Self { session: LiveSession::start(wake).expect("a thread"), bell }
+    }
+
+    /// The next snapshot that is as wanted.
+    fn wait(&self, wanted: impl Fn(&Snapshot) -> bool) -> Arc<Snapshot> {
+        loop {
+            if let Some(snapshot) = self.session.latest().filter(|s| wanted(s)) {
+                return snapshot;
+            }
+            self.bell.recv().expect("the session lives");
+        }
+    }
+
+    /// Waits until the next frame of the screen, or for a snapshot that is as wanted.
+    fn wait_until(&self, end: Instant, wanted: impl Fn(&Snapshot) -> bool) -> Option<Arc<Snapshot>> {
+        loop {
+            if let Some(snapshot) = self.session.latest().filter(|s| wanted(s)) {
+                return Some(snapshot);
+            }
+            match self.bell.recv_timeout(end.saturating_duration_since(Instant::now())) {
+                Ok(()) => {}
+                Err(RecvTimeoutError::Timeout) => return None,
+                Err(RecvTimeoutError::Disconnected) => panic!("the session is gone"),
+            }
+        }
+    }
+}
+
+type Change = dyn Fn(&Arc<Scene>, &RenderJob, usize) -> LiveRequest;
+
+fn recolored(base: &Arc<Scene>, job: &RenderJob, step: usize) -> LiveRequest {
+    let mut scene = Scene::clone(base);
+    let object = scene.objects.len() / 2;
+    scene.objects[object].material.color =
+        Some(Color::from_hex(&format!("#{:02x}8040", step % 256)).expect("a colour"));
+    LiveRequest { scene: Arc::new(scene), job: job.clone() }
+}
+
+fn moved(base: &Arc<Scene>, job: &RenderJob, step: usize) -> LiveRequest {
+    let mut scene = Scene::clone(base);
+    let shift = (step % 100) as f32 * 0.002;
+    for object in scene.objects.iter_mut().rev().take(1) {
+        if let luch_scene::Shape::Mesh(instance) = &mut object.shape {
+            let p = instance.position.get();
+            instance.position = Point::clamped([p.x + shift, p.y, p.z].into());
+        }
+    }
+    LiveRequest { scene: Arc::new(scene), job: job.clone() }
+}
+
+fn orbited(base: &Arc<Scene>, job: &RenderJob, step: usize) -> LiveRequest {
+    let mut job = job.clone();
+    let center = match job.camera.aim {
+        Aim::At(p) => p.get(),
+        Aim::Along(d) => job.camera.position.get() + d.unit() * 5.0,
+    };
+    let (sin, cos) = libm::sincosf(step as f32 * 0.01);
+    let arm = job.camera.position.get() - center;
+    let turned = [arm.x * cos - arm.z * sin, arm.y, arm.x * sin + arm.z * cos];
+    job.camera.position = Point::clamped(center + glam::Vec3::from_array(turned));
+    job.camera.aim = Aim::At(Point::clamped(center));
+    LiveRequest { scene: Arc::clone(base), job }
+}
+
+/// A hand that drags: from each request to its first picture.
+fn drag(name: &str, base: &Arc<Scene>, job: &RenderJob, change: &Change) {
+    let watched = Watched::start();
+    watched.session.show(change(base, job, 0));
+    watched.wait(|s| s.shrink == 1);
+    let (mut times, mut shrinks, mut missed) = (Vec::new(), Vec::new(), 0);
+    let mut next = Instant::now();
+    for step in 0..EDITS {
+        let request = change(base, job, step + 1);
+        let asked = Instant::now();
+        let epoch = watched.session.show(request);
+        next = (next + FRAME).max(asked + FRAME);
+        match watched.wait_until(next, |s| s.epoch >= epoch) {
+            Some(snapshot) => {
+                times.push(asked.elapsed());
+                shrinks.push(snapshot.shrink);
+            }
+            // The next request comes all the same; this one is counted with the time that it would have waited.
+            None => missed += 1,
+        }
+        while watched.wait_until(next, |_| false).is_some() {}
+    }
+    // A request without a picture of its own in time counts as the slowest.
+    times.extend(std::iter::repeat_n(Duration::MAX, missed));
+    shrinks.sort_unstable();
+    let resolution = shrinks.get(shrinks.len() / 2).map_or_else(String::new, |k| format!("1/{k}"));
+    report(&format!("{name}: first picture"), times, &format!("{resolution}, {missed} overtaken"));
+}
+
+/// From a request to the full resolution, the hand at rest.
+fn full(base: &Arc<Scene>, job: &RenderJob) {
+    for (name, change) in [("colour", &recolored as &Change), ("orbit", &orbited)] {
+        let watched = Watched::start();
+        let mut times = Vec::new();
+        for step in 0..60 {
+            let asked = Instant::now();
+            let epoch = watched.session.show(change(base, job, step));
+            watched.wait(|s| s.epoch == epoch && s.shrink == 1);
+            times.push(asked.elapsed());
+        }
+        report(&format!("{name}: full resolution"), times, "1/1");
+    }
+}
+
+/// From `stop` in the middle of the picture until no thread is at work.
+fn cancel(base: &Arc<Scene>, job: &RenderJob) {
+    let watched = Watched::start();
+    let mut job = job.clone();
+    job.antialiasing = luch_verify::sampling(64);
+    let mut times = Vec::new();
+    for step in 0..60 {
+        let epoch = watched.session.show(orbited(base, &job, step));
+        watched.wait(|s| s.epoch == epoch);
+        let asked = Instant::now();
+        watched.session.stop();
+        while watched.session.status().phase != LivePhase::Idle {
+            watched.bell.recv().expect("the session lives");
+        }
+        times.push(asked.elapsed());
+        assert_eq!(watched.session.status().ended, Some(LiveEnd::Cancelled));
+    }
+    report("cancel", times, "");
+}
+
+fn report(name: &str, mut times: Vec<Duration>, shown: &str) {
+    times.sort_unstable();
+    let at = |share: f64| times[((times.len() - 1) as f64 * share).round() as usize];
+    let ms = |time: Duration| {
+        if time == Duration::MAX { "-".to_owned() } else { format!("{:.2}", time.as_secs_f64() * 1e3) }
+    };
+    println!("{name:34} {:>9} {:>9} {:>9}  {shown}", ms(at(0.5)), ms(at(0.95)), ms(at(1.0)));
+}

@@ -20,6 +20,7 @@
 
 pub mod accel;
 mod compiled;
+pub mod explain;
 pub mod film;
 mod integrator;
 pub mod math;

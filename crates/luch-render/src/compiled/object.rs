@@ -50,6 +50,8 @@ pub(crate) enum Surface {
 /// Colour and highlight of a surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Look {
+    /// What `highlight` and `exponent` come from.
+    pub(crate) gloss: f32,
     /// k_d and k_a.
     pub(crate) base: Vec3,
     /// k_s.
@@ -104,8 +106,19 @@ impl CompiledObject {
     }
 }
 
+impl CompiledObject {
+    /// The look of a triangle or face.
+    pub(crate) fn look_of(&self, primitive: u32) -> &Look {
+        let index = match &self.surface {
+            Surface::Mesh { mesh, .. } => mesh.triangle_materials().get(primitive as usize).copied().unwrap_or(0),
+            _ => 0,
+        };
+        &self.looks[usize::from(index)]
+    }
+}
+
 fn look(color: Vec3, gloss: Unit) -> Look {
-    Look { base: color, highlight: highlight_strength(gloss), exponent: highlight_exponent(gloss) }
+    Look { gloss: gloss.get(), base: color, highlight: highlight_strength(gloss), exponent: highlight_exponent(gloss) }
 }
 
 /// One look, or one for each material of the mesh where the object leaves something to the model's file.

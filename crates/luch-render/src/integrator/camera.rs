@@ -132,6 +132,18 @@ impl Lens {
         }
     }
 
+    /// Where a sample of a pixel goes through the picture, in pixels from the upper left corner, and where it leaves the
+    /// lens, in lens radii.
+    pub(crate) fn place(&self, [x, y]: [u32; 2], sample: u32) -> ([f32; 2], [f32; 2]) {
+        let mut pixel = PixelList::default();
+        pixel.set(std::iter::once([x, y]));
+        let (mut offset, mut disk) = ([[0.5; LANES]; 2], [[0.0; LANES]; 2]);
+        self.draw(&pixel, 0, sample, &mut offset, &mut disk);
+        #[allow(clippy::cast_precision_loss, reason = "pixels are counted in 16 bits")]
+        let film = [x as f32 + offset[0][0], y as f32 + offset[1][0]];
+        (film, [disk[0][0], disk[1][0]])
+    }
+
     /// Draws the places within the pixel's filter and on the lens for the pixels from `at` on.
     #[inline(never)]
     fn draw(

@@ -4,6 +4,7 @@
 //! of them it reaches, and send the mirror rays on as the next wave. When no wave is left, the colours are mixed on the
 //! way back, deepest first: `(1 - r) * local + r * mirrored`.
 
+use super::onlooker::{Lighting, Onlooker};
 use super::{Colors, Orders};
 use crate::compiled::{CompiledLight, CompiledScene};
 use crate::math::lanes::{LANES, LaneMask, Lanes, Vec3Lanes};
@@ -32,19 +33,19 @@ const KEPT_WAVES: usize = 32;
 
 /// What is kept of a wave.
 #[derive(Debug, Default)]
-struct Wave {
-    colors: Colors,
+pub(crate) struct Wave {
+    pub(crate) colors: Colors,
     /// For each ray of the next wave: the ray of this one that it came from, and its mirror share.
-    mirrors: Vec<(u32, f32)>,
+    pub(crate) mirrors: Vec<(u32, f32)>,
 }
 
 /// Shadow rays of one light, and what the light would add without them.
 #[derive(Debug, Default)]
-struct Shadows {
-    rays: RayBatch,
+pub(crate) struct Shadows {
+    pub(crate) rays: RayBatch,
     blocked: Mask,
-    diffuse: Vec<f32>,
-    specular: Vec<f32>,
+    pub(crate) diffuse: Vec<f32>,
+    pub(crate) specular: Vec<f32>,
 }
 
 impl Waves {
@@ -55,17 +56,33 @@ impl Waves {
         orders: &Orders<'_>,
         rays: &mut RayBatch,
         colors: &mut Colors,
+        objects: Option<&mut Vec<u32>>,
+    ) -> Option<u64> {
+        self.trace_before(&mut (), orders, rays, colors, objects)
+    }
+
+    /// As [`Waves::trace`], with somebody who looks on.
+    pub(crate) fn trace_before(
+        &mut self,
+        onlooker: &mut dyn Onlooker,
+        orders: &Orders<'_>,
+        rays: &mut RayBatch,
+        colors: &mut Colors,
         mut objects: Option<&mut Vec<u32>>,
     ) -> Option<u64> {
         let mut traced = 0;
         let mut waves = 0;
         std::mem::swap(&mut self.mirror, rays);
         while !self.mirror.is_empty() {
+            if !onlooker.wave(&self.mirror) {
+                return None;
+            }
             if self.kept.len() == waves {
                 self.kept.push(Wave::default());
             }
             let mut wave = std::mem::take(&mut self.kept[waves]);
-            traced += self.trace_wave(orders, u32::try_from(waves).unwrap_or(u32::MAX), &mut wave)?;
+            traced += self.trace_wave(onlooker, orders, u32::try_from(waves).unwrap_or(u32::MAX), &mut wave)?;
+            onlooker.local(&wave);
             self.kept[waves] = wave;
             if waves == 0
                 && let Some(objects) = objects.take()
@@ -78,6 +95,7 @@ impl Waves {
         }
         std::mem::swap(&mut self.mirror, rays);
         self.mix(waves);
+        onlooker.mixed(&self.kept[..waves]);
         if let Some(first) = self.kept.first_mut()
             && waves > 0
         {
@@ -94,7 +112,13 @@ impl Waves {
 
     /// Traces the rays of `self.mirror` as wave number `number`, leaving its mirror rays in `self.next`; `None` if it was
     /// stopped.
-    fn trace_wave(&mut self, orders: &Orders<'_>, number: u32, wave: &mut Wave) -> Option<u64> {
+    fn trace_wave(
+        &mut self,
+        onlooker: &mut dyn Onlooker,
+        orders: &Orders<'_>,
+        number: u32,
+        wave: &mut Wave,
+    ) -> Option<u64> {
         let Orders { scene, level, depth, stop, .. } = *orders;
         wave.colors.resize(self.mirror.len());
         wave.mirrors.clear();
@@ -118,18 +142,20 @@ impl Waves {
             surfaces.fill(simd, scene, rays, hits);
             ambient(simd, scene, surfaces, &mut wave.colors);
         });
-        for light in &scene.lights {
+        onlooker.surfaces(rays, hits, surfaces, &wave.colors);
+        for (number, light) in scene.lights.iter().enumerate() {
             if stop() {
                 return None;
             }
             let (surfaces, shadows) = (&self.surfaces, &mut self.shadows);
             let asked = shade_at!(level, simd => shadows.ask(simd, scene, light, (rays, hits), surfaces));
-            if asked == 0 {
-                continue;
+            if asked > 0 {
+                traced += asked;
+                scene.tree.occluded(level, &shadows.rays, coherence, &mut shadows.blocked);
+                shade_at!(level, simd => shadows.add(simd, light, surfaces, &mut wave.colors));
             }
-            traced += asked;
-            scene.tree.occluded(level, &shadows.rays, coherence, &mut shadows.blocked);
-            shade_at!(level, simd => shadows.add(simd, light, surfaces, &mut wave.colors));
+            let at = Lighting { rays, hits, surfaces, shadows, coherence };
+            onlooker.light(number, asked, &at, &wave.colors);
         }
         let next = &mut self.next;
         shade_at!(level, simd => send_mirrors(simd, rays, surfaces_of(&self.surfaces), wave, next));

@@ -3,6 +3,7 @@
 mod camera;
 pub(crate) mod classic;
 mod debug;
+pub(crate) mod onlooker;
 
 pub use camera::Lens;
 pub(crate) use camera::PixelList;

@@ -1,9 +1,9 @@
 //! What shading wants to know of sixteen hits, fetched from the objects they fell on and laid side by side.
 
 use crate::compiled::{CompiledObject, CompiledScene, Look, Surface};
-use crate::math::lanes::{LANES, Vec3Lanes};
+use crate::math::lanes::{LANES, Lanes, Vec3Lanes};
 use crate::math::ray::{HitBatch, NO_OBJECT};
-use fearless_simd::Simd;
+use fearless_simd::prelude::*;
 use glam::Mat3;
 use luch_scene::Shading;
 
@@ -13,10 +13,10 @@ pub(super) type VecArrays = [[f32; LANES]; 3];
 /// The facts of sixteen hits. Lanes that hit nothing, and fields that a lane's kind of surface does not use, hold
 /// whatever was there before: they are finite and never looked at.
 #[derive(Debug)]
-pub(super) struct Gathered {
+pub(crate) struct Gathered {
     pub(super) hit: u16,
     pub(super) sphere: u16,
-    pub(super) mesh: u16,
+    pub(crate) mesh: u16,
     /// Mesh lanes whose shading normal is blended from the vertices (Gouraud and Phong).
     pub(super) smooth: u16,
     pub(super) gouraud: u16,
@@ -104,7 +104,7 @@ impl Lane for Every {
 impl Gathered {
     /// Fetches the facts of the hits from `at` on. Scalar work, compiled once for all instruction sets.
     #[inline(never)]
-    pub(super) fn fetch(&mut self, scene: &CompiledScene, hits: &HitBatch, at: usize) {
+    pub(crate) fn fetch(&mut self, scene: &CompiledScene, hits: &HitBatch, at: usize) {
         let objects = &hits.object[at..at + LANES];
         let primitives = &hits.primitive[at..at + LANES];
         (self.sphere, self.mesh, self.smooth, self.gouraud, self.checker) = (0, 0, 0, 0, 0);
@@ -209,19 +209,22 @@ impl Gathered {
 
     /// The vertices of the mesh lanes in world space.
     #[inline(always)]
-    pub(super) fn world_vertices<S: Simd>(&self, simd: S) -> [Vec3Lanes<S>; 3] {
+    pub(crate) fn world_vertices<S: Simd>(&self, simd: S) -> [Vec3Lanes<S>; 3] {
         let columns = three(simd, &self.columns);
         let translation = Vec3Lanes::from_arrays(simd, &self.translation);
         let [a, b, c] = three(simd, &self.vertices);
         [transform(columns, a) + translation, transform(columns, b) + translation, transform(columns, c) + translation]
     }
 
-    /// The vertex normals of the mesh lanes in world space.
+    /// The vertex normals of the mesh lanes in world space, all three of a face turned alike: to the side of `facing`,
+    /// the true face's normal on the side that the ray comes from.
     #[inline(always)]
-    pub(super) fn world_normals<S: Simd>(&self, simd: S) -> [Vec3Lanes<S>; 3] {
+    pub(crate) fn turned_normals<S: Simd>(&self, simd: S, facing: Vec3Lanes<S>) -> [Vec3Lanes<S>; 3] {
         let turns = three(simd, &self.turns);
         let [a, b, c] = three(simd, &self.normals);
-        [transform(turns, a), transform(turns, b), transform(turns, c)]
+        let [a, b, c] = [transform(turns, a), transform(turns, b), transform(turns, c)];
+        let opposed = (a + b + c).dot(facing).simd_lt(Lanes::splat(simd, 0.0));
+        [Vec3Lanes::select(opposed, -a, a), Vec3Lanes::select(opposed, -b, b), Vec3Lanes::select(opposed, -c, c)]
     }
 }
 

@@ -30,23 +30,31 @@ impl<S: Simd> Faces<S> {
         let mut facts = Gathered::default();
         facts.fetch(scene, hits, at);
         let corners = facts.world_vertices(simd);
-        let normals = facts.world_normals(simd);
+        let normals = facts.turned_normals(simd, facing);
         let zero = Lanes::splat(simd, 0.0);
-        let opposed = (normals[0] + normals[1] + normals[2]).dot(facing).simd_lt(zero);
         let viewer = Vec3Lanes::load(simd, [rays.origin(0), rays.origin(1), rays.origin(2)], at);
         let highlight = Lanes::load_array_ref(simd, &facts.highlight);
         let exponent = Lanes::load_array_ref(simd, &facts.exponent);
         let mut vertices = [LitPoint { position: viewer, normal: facing, to_viewer: facing, highlight, exponent }; 3];
         for (k, vertex) in vertices.iter_mut().enumerate() {
-            let turned = Vec3Lanes::select(opposed, -normals[k], normals[k]);
-            let usable = turned.dot(turned).simd_gt(zero);
+            let usable = normals[k].dot(normals[k]).simd_gt(zero);
             vertex.position = corners[k];
-            vertex.normal = Vec3Lanes::select(usable, turned, facing).unit_or_zero(simd);
+            vertex.normal = Vec3Lanes::select(usable, normals[k], facing).unit_or_zero(simd);
             vertex.to_viewer = (viewer - corners[k]).unit_or_zero(simd);
         }
         let u = Lanes::from_slice(simd, &hits.u[at..at + LANES]);
         let v = Lanes::from_slice(simd, &hits.v[at..at + LANES]);
         Self { vertices, weights: [Lanes::splat(simd, 1.0) - u - v, u, v] }
+    }
+
+    /// What a light does at the three vertices.
+    #[inline(always)]
+    pub(crate) fn terms(&self, simd: S, light: &CompiledLight, attenuation: f32) -> [LightTerms<S>; 3] {
+        [
+            LightTerms::at(simd, &self.vertices[0], light, attenuation),
+            LightTerms::at(simd, &self.vertices[1], light, attenuation),
+            LightTerms::at(simd, &self.vertices[2], light, attenuation),
+        ]
     }
 
     /// Diffuse and specular of a light, blended from the vertices, in the lanes of `gouraud`; elsewhere as they were.
@@ -59,9 +67,7 @@ impl<S: Simd> Faces<S> {
         (diffuse, specular): (Lanes<S>, Lanes<S>),
     ) -> (Lanes<S>, Lanes<S>) {
         let [a, b, c] = self.weights;
-        let t0 = LightTerms::at(simd, &self.vertices[0], light, attenuation);
-        let t1 = LightTerms::at(simd, &self.vertices[1], light, attenuation);
-        let t2 = LightTerms::at(simd, &self.vertices[2], light, attenuation);
+        let [t0, t1, t2] = self.terms(simd, light, attenuation);
         let blended_diffuse = t0.diffuse * a + t1.diffuse * b + t2.diffuse * c;
         let blended_specular = t0.specular * a + t1.specular * b + t2.specular * c;
         let lanes = LaneMask::from_bitmask(simd, u64::from(gouraud));

@@ -189,11 +189,7 @@ fn mesh_place<S: Simd>(simd: S, facts: &Gathered, [u, v]: [Lanes<S>; 2], directi
     // Turn the vertex normals, all three alike, to the side of the face that the ray comes from.
     let away = geometric_normal.dot(direction).simd_gt(zero);
     let facing = Vec3Lanes::select(away, -geometric_normal, geometric_normal);
-    let normals = facts.world_normals(simd);
-    let opposed = (normals[0] + normals[1] + normals[2]).dot(facing).simd_lt(zero);
-    let [n0, n1, n2] = normals;
-    let normals =
-        [Vec3Lanes::select(opposed, -n0, n0), Vec3Lanes::select(opposed, -n1, n1), Vec3Lanes::select(opposed, -n2, n2)];
+    let normals = facts.turned_normals(simd, facing);
     let blended = blend(weights, normals).unit_or_zero(simd);
     let usable = blended.dot(blended).simd_gt(zero);
     let normal = Vec3Lanes::select(usable, blended, geometric_normal);

@@ -41,6 +41,27 @@ pub(crate) struct LightTerms<S: Simd> {
     pub(crate) diffuse: Lanes<S>,
     /// What is added for the highlight.
     pub(crate) specular: Lanes<S>,
+    /// The numbers that the two were made of, for the explanation.
+    pub(crate) factors: LightFactors<S>,
+}
+
+/// The numbers behind the terms of a light. A picture looks at none of them, and then the compiler drops them.
+#[derive(Clone, Copy)]
+pub(crate) struct LightFactors<S: Simd> {
+    /// L, of unit length; zero at the light itself.
+    pub(crate) to_light: Vec3Lanes<S>,
+    /// d.
+    pub(crate) distance: Lanes<S>,
+    pub(crate) falloff: Lanes<S>,
+    pub(crate) strength: Lanes<S>,
+    /// N.L, negative for a light behind the surface.
+    pub(crate) cos_theta: Lanes<S>,
+    /// R.
+    pub(crate) mirrored: Vec3Lanes<S>,
+    /// (R.V)+.
+    pub(crate) cos_alpha: Lanes<S>,
+    /// ((R.V)+)^n where there is a highlight, else 0.
+    pub(crate) power: Lanes<S>,
 }
 
 impl<S: Simd> LightTerms<S> {
@@ -63,12 +84,14 @@ impl<S: Simd> LightTerms<S> {
         let mirrored = point.normal.scale(cos_theta * 2.0) - l;
         let cos_alpha = smaller(greater(mirrored.dot(point.to_viewer), zero), one);
         let glossy = lit & point.highlight.simd_gt(zero) & cos_alpha.simd_gt(zero);
-        let specular = if glossy.any_true() {
-            glossy.select(strength * point.highlight * pow(simd, cos_alpha, point.exponent), zero)
+        let (specular, power) = if glossy.any_true() {
+            let power = pow(simd, cos_alpha, point.exponent);
+            (glossy.select(strength * point.highlight * power, zero), glossy.select(power, zero))
         } else {
-            zero
+            (zero, zero)
         };
-        Self { diffuse, specular }
+        let factors = LightFactors { to_light: l, distance, falloff, strength, cos_theta, mirrored, cos_alpha, power };
+        Self { diffuse, specular, factors }
     }
 }
 

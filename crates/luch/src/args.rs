@@ -10,8 +10,18 @@ use std::path::PathBuf;
 
 /// Luch, a ray-tracing studio: open a scene, make a true picture of it.
 #[derive(Debug, Parser)]
-#[command(name = "luch", version, max_term_width = 110, after_help = text::MAIN, subcommand_precedence_over_arg = true)]
+#[command(
+    name = "luch",
+    version,
+    max_term_width = 110,
+    after_help = text::MAIN,
+    subcommand_precedence_over_arg = true,
+    args_conflicts_with_subcommands = true
+)]
 pub(crate) struct Cli {
+    /// Open the studio with this scene: built in, a scene file (.toml) or a model (.obj) [default: two-spheres]
+    #[arg(value_name = "SCENE")]
+    pub(crate) scene: Option<PathBuf>,
     #[command(subcommand)]
     pub(crate) command: Option<Command>,
 }

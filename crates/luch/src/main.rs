@@ -15,8 +15,7 @@ mod source;
 mod text;
 mod values;
 
-use clap::error::{ContextKind, ContextValue};
-use clap::{CommandFactory, Parser};
+use clap::Parser;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
@@ -28,20 +27,13 @@ fn program() -> u8 {
     let cli = match args::Cli::try_parse() {
         Ok(cli) => cli,
         Err(refusal) => {
-            if let Some(failure) = scene_without_command(&refusal) {
-                output::error(&failure.to_string());
-                return failure.code as u8;
-            }
             // Help and version go to stdout, mistakes to stderr. If nobody reads either, there is nothing left to do.
             let _ = refusal.print();
             return u8::try_from(refusal.exit_code()).unwrap_or(exit::Code::Usage as u8);
         }
     };
     let outcome = match cli.command {
-        None => {
-            let _ = args::Cli::command().print_help();
-            Ok(())
-        }
+        None => run::studio::run(cli.scene.as_deref()),
         Some(command) => run::run(command),
     };
     match outcome {
@@ -51,12 +43,4 @@ fn program() -> u8 {
             failure.code as u8
         }
     }
-}
-
-/// `luch SCENE` opens the studio, one day: until then say how to get a picture.
-fn scene_without_command(refusal: &clap::Error) -> Option<exit::Failure> {
-    let Some(ContextValue::String(word)) = refusal.get(ContextKind::InvalidSubcommand) else { return None };
-    luch_io::SceneSource::find(word.as_ref()).ok()?;
-    let failure = exit::Failure::usage("the window of the studio is not part of this build");
-    Some(failure.hint(format!("to make a picture: luch render {word} -o picture.png")))
 }

@@ -2,13 +2,14 @@
 
 pub(crate) const MAIN: &str = "\
 Examples:
+  luch                                          the studio: a window with a scene and its picture
+  luch knight                                   the studio with another scene
   luch scenes                                   the built-in scenes, their cameras and objects
   luch render two-spheres -o spheres.png        a first picture
   luch render chess -o chess.png --camera 2 --antialiasing 64
   luch info bunny.obj                           what is in a model
 
 `luch COMMAND --help` tells more of each command.
-The window of the studio is not part of this build.
 
 Exit codes: 0 done, 1 render error, 2 wrong command line, 3 malformed file, 4 missing or
 forbidden file, 5 limit exceeded, 6 output cannot be written, 70 internal error, 130 and 143

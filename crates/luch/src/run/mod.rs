@@ -4,6 +4,7 @@ mod bench_rays;
 mod info;
 mod render;
 mod scenes;
+pub(crate) mod studio;
 mod writable;
 
 use crate::args::{BenchCommand, Command};

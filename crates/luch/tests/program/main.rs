@@ -6,11 +6,24 @@ mod support;
 use std::io::pipe;
 use support::{Folder, program};
 
+/// A program that finds no display.
+fn without_display(args: &[&str]) -> (Option<i32>, String) {
+    let mut command = program(Folder::new().path(), args);
+    command.env_remove("DISPLAY").env_remove("WAYLAND_DISPLAY").env_remove("WAYLAND_SOCKET");
+    let output = command.output().unwrap();
+    (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
+}
+
+#[cfg(target_os = "linux")]
 #[test]
-fn without_arguments_the_help_is_shown() {
-    let outcome = Folder::new().luch(&[]);
-    assert_eq!((outcome.code, outcome.stderr.as_str()), (0, ""));
-    assert_eq!(outcome.stdout, Folder::new().luch(&["--help"]).stdout);
+fn without_a_display_the_studio_says_what_to_do_instead() {
+    for args in [&[][..], &["chess"]] {
+        let (code, stderr) = without_display(args);
+        assert_eq!(code, Some(1), "{args:?}: {stderr}");
+        assert!(stderr.contains("no window can be opened"), "{args:?}: {stderr}");
+        assert!(stderr.contains("luch render SCENE -o"), "{args:?}: {stderr}");
+        assert!(!stderr.contains("panic") && !stderr.contains("internal error"), "{args:?}: {stderr}");
+    }
 }
 
 #[test]
@@ -66,10 +79,13 @@ fn the_version_is_that_of_the_package() {
 }
 
 #[test]
-fn a_scene_without_a_command_is_told_how_to_become_a_picture() {
-    let outcome = Folder::new().luch(&["chess"]);
-    assert_eq!((outcome.code, outcome.stdout.as_str()), (2, ""));
-    assert!(outcome.stderr.contains("luch render chess -o"), "{}", outcome.stderr);
+fn a_word_that_is_neither_scene_nor_command_is_told_both() {
+    let (code, stderr) = without_display(&["ches"]);
+    assert_eq!(code, Some(4), "{stderr}");
+    assert!(stderr.contains("did you mean the built-in scene `chess`"), "{stderr}");
+    let (code, stderr) = without_display(&["rendr"]);
+    assert_eq!(code, Some(4), "{stderr}");
+    assert!(stderr.contains("did you mean the command `luch render`"), "{stderr}");
 }
 
 #[test]
@@ -83,7 +99,6 @@ fn a_reader_that_has_gone_away_is_no_panic() {
         (&["--help"], 0),
         (&["render", "--help"], 0),
         (&["--version"], 0),
-        (&[], 0),
     ] {
         let (reader, writer) = pipe().unwrap();
         drop(reader);

@@ -1,0 +1,162 @@
+//! Everything that a person can make the window do. Panels queue commands; `studio` applies them, nothing else does.
+
+use crate::dialogs::Dialog;
+use crate::l10n::{Language, Texts};
+use crate::selection::Part;
+use crate::undo::Gesture;
+use crate::view::Pose;
+use egui::{Key, KeyboardShortcut, Modifiers, ThemePreference};
+use luch_io::SceneSource;
+use luch_scene::Edit;
+
+/// What the mouse does in the picture.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) enum Tool {
+    /// Select by click, look around by drag.
+    #[default]
+    Select,
+    /// A click sets the distance that is sharp.
+    Focus,
+}
+
+/// How large the picture is shown.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) enum Zoom {
+    /// As large as fits.
+    #[default]
+    Fit,
+    /// So many pixels of the screen for one of the picture.
+    Factor(f32),
+}
+
+/// A thing to do.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Command {
+    /// Start with an empty scene.
+    New,
+    /// Load a scene in place of the one at hand.
+    Open(SceneSource),
+    /// Write the scene to its file, or ask for one.
+    Save,
+    /// Change the scene.
+    Edit(Edit, Gesture),
+    /// Take the last change back.
+    Undo,
+    /// Make it again.
+    Redo,
+    /// Select a part of the scene, or nothing.
+    Select(Option<Part>),
+    /// Copy what is selected.
+    Duplicate,
+    /// Take what is selected out of the scene.
+    Delete,
+    /// Leave what is selected out of the picture, or show it again.
+    ToggleHidden,
+    /// Look through a camera of the scene.
+    ChooseCamera(usize),
+    /// Look from elsewhere; `None`: from where the camera stands.
+    SetPose(Option<Pose>),
+    /// Make the scene's camera stand where the view is.
+    StorePose,
+    /// Start the picture, with all changes that wait for it.
+    Render,
+    /// Stop the picture.
+    Cancel,
+    /// Whether every change starts a picture by itself.
+    SetLive(bool),
+    /// Use so many threads; `None`: one per core.
+    SetThreads(Option<usize>),
+    /// Speak another language.
+    SetLanguage(Language),
+    /// Light, dark, or as the system is.
+    SetTheme(ThemePreference),
+    /// Give the mouse another job.
+    SetTool(Tool),
+    /// Show the picture larger or smaller.
+    SetZoom(Zoom),
+    /// Ask or tell something.
+    Show(Dialog),
+    /// Close what asks or tells.
+    CloseDialog,
+    /// Take a notice away.
+    DismissNotice(u64),
+    /// Close the window.
+    Quit,
+}
+
+const fn ctrl(key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(Modifiers::COMMAND, key)
+}
+
+const fn plain(key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(Modifiers::NONE, key)
+}
+
+impl Command {
+    /// The commands with a key of their own, in the order of the shortcut sheet.
+    pub(crate) fn with_shortcuts() -> Vec<Self> {
+        vec![
+            Self::New,
+            Self::Save,
+            Self::Quit,
+            Self::Undo,
+            Self::Redo,
+            Self::Duplicate,
+            Self::Delete,
+            Self::ToggleHidden,
+            Self::Select(None),
+            Self::Render,
+            Self::Cancel,
+            Self::SetPose(None),
+            Self::SetZoom(Zoom::Fit),
+            Self::SetZoom(Zoom::Factor(1.0)),
+        ]
+    }
+
+    /// The key that does it.
+    pub(crate) const fn shortcut(&self) -> Option<KeyboardShortcut> {
+        Some(match self {
+            Self::New => ctrl(Key::N),
+            Self::Save => ctrl(Key::S),
+            Self::Quit => ctrl(Key::Q),
+            Self::Undo => ctrl(Key::Z),
+            Self::Redo => KeyboardShortcut::new(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::Z),
+            Self::Duplicate => ctrl(Key::D),
+            Self::Delete => plain(Key::Delete),
+            Self::ToggleHidden => plain(Key::H),
+            Self::Select(None) => plain(Key::Escape),
+            Self::Render => plain(Key::F5),
+            Self::Cancel => KeyboardShortcut::new(Modifiers::SHIFT, Key::F5),
+            Self::SetPose(None) => plain(Key::Home),
+            Self::SetZoom(Zoom::Fit) => ctrl(Key::Num0),
+            Self::SetZoom(Zoom::Factor(_)) => ctrl(Key::Num1),
+            _ => return None,
+        })
+    }
+
+    /// What a menu calls it.
+    pub(crate) fn label(&self, texts: &Texts) -> String {
+        match self {
+            Self::New => texts.command_new(),
+            Self::Save => texts.command_save(),
+            Self::Quit => texts.command_quit(),
+            Self::Undo => texts.command_undo(),
+            Self::Redo => texts.command_redo(),
+            Self::Duplicate => texts.command_duplicate(),
+            Self::Delete => texts.command_delete(),
+            Self::ToggleHidden => texts.command_toggle_hidden(),
+            Self::Select(_) => texts.command_select_nothing(),
+            Self::Render => texts.command_render(),
+            Self::Cancel => texts.command_cancel(),
+            Self::SetPose(_) => texts.command_return_to_camera(),
+            Self::StorePose => texts.command_store_pose(),
+            Self::SetZoom(Zoom::Fit) => texts.command_zoom_fit(),
+            Self::SetZoom(Zoom::Factor(_)) => texts.command_zoom_one(),
+            Self::SetTool(Tool::Select) => texts.tool_select(),
+            Self::SetTool(Tool::Focus) => texts.tool_focus(),
+            Self::Show(dialog) => dialog.label(texts),
+            // The rest are gestures and widgets with labels of their own; no menu has them.
+            _ => String::new(),
+        }
+    }
+}

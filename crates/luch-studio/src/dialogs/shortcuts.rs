@@ -1,0 +1,40 @@
+//! All keys, and what the mouse does in the picture.
+
+use super::close_button;
+use crate::command::Command;
+use crate::state::Desk;
+use egui::{ScrollArea, Ui};
+
+pub(super) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
+    let texts = desk.texts;
+    let mouse = [
+        (texts.mouse_click(), texts.mouse_click_does()),
+        (texts.mouse_drag(), texts.mouse_drag_does()),
+        (texts.mouse_pan(), texts.mouse_pan_does()),
+        (texts.mouse_wheel(), texts.mouse_wheel_does()),
+        (texts.mouse_zoom(), texts.mouse_zoom_does()),
+        (texts.mouse_pan_pixels(), texts.mouse_pan_pixels_does()),
+    ];
+    let keys = Command::with_shortcuts().into_iter().filter_map(|command| {
+        let shortcut = command.shortcut()?;
+        Some((ui.ctx().format_shortcut(&shortcut), command.label(texts)))
+    });
+    let keys: Vec<_> = keys.collect();
+    ScrollArea::vertical().max_height(460.0).show(ui, |ui| {
+        for (title, rows) in [(texts.shortcuts_mouse(), mouse.to_vec()), (texts.shortcuts_keys(), keys)] {
+            ui.strong(title);
+            egui::Grid::new(("shortcuts", rows.len())).num_columns(2).striped(true).spacing([24.0, 3.0]).show(
+                ui,
+                |ui| {
+                    for (key, does) in rows {
+                        ui.label(key);
+                        ui.label(does);
+                        ui.end_row();
+                    }
+                },
+            );
+            ui.add_space(8.0);
+        }
+    });
+    close_button(ui, desk);
+}

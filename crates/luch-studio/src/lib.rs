@@ -1,0 +1,48 @@
+//! The window of Luch: a scene, its picture, and every control of both.
+//!
+//! Panels read the [`state`] and queue [`command`]s; [`studio`] applies them in one place. What is slow happens
+//! elsewhere: the renderer behind [`render_link`], files behind [`loader`]. The window draws, it does not compute.
+
+#![forbid(unsafe_code)]
+
+mod command;
+mod dialogs;
+mod document;
+mod l10n;
+mod loader;
+mod notices;
+mod panels;
+mod panics;
+mod preferences;
+mod render_link;
+mod selection;
+mod shortcuts;
+mod state;
+mod studio;
+mod style;
+mod undo;
+mod view;
+mod viewport;
+mod widgets;
+
+pub use studio::{Start, Studio};
+
+/// The name under which the system keeps the window's preferences.
+const APP_ID: &str = "luch";
+
+/// Opens the window and answers when it is closed.
+///
+/// # Errors
+/// Why there is no window: no display, no OpenGL.
+pub fn run(start: Start) -> Result<(), String> {
+    let viewport = egui::ViewportBuilder::default()
+        .with_app_id(APP_ID)
+        .with_title("Luch")
+        .with_inner_size([1280.0, 800.0])
+        .with_min_inner_size([720.0, 480.0])
+        .with_drag_and_drop(true);
+    let options = eframe::NativeOptions { viewport, ..Default::default() };
+    let create: eframe::AppCreator<'_> =
+        Box::new(|creation| Ok(Box::new(Studio::new(creation, start)?) as Box<dyn eframe::App>));
+    eframe::run_native(APP_ID, options, create).map_err(|error| error.to_string())
+}

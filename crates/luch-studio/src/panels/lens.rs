@@ -1,0 +1,31 @@
+//! The lens of the camera: how far it is sharp and how wide it is open.
+
+use crate::command::Command;
+use crate::state::Desk;
+use crate::widgets::check::NumberFormat;
+use crate::widgets::number::NumberField;
+use egui::Ui;
+use luch_scene::{CameraEdit, Edit, NonNegative, Positive};
+
+pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
+    let texts = desk.texts;
+    let Some(camera) = desk.state.camera() else { return };
+    let index = desk.state.view.index;
+    let format = NumberFormat { range: 1e-9..=1e9, decimals: 3, suffix: "" };
+    let (name, tip) = (texts.focal_distance(), texts.focal_distance_tip());
+    let focus = f64::from(camera.focus());
+    let field = NumberField::new(&name, focus, format).tooltip(&tip);
+    if let Some((value, gesture)) = field.slider(0.1..=100.0).logarithmic().show(ui, texts)
+        && let Ok(distance) = Positive::try_from(value)
+    {
+        desk.send(Command::Edit(Edit::Camera(index, CameraEdit::SetFocalDistance(Some(distance))), gesture));
+    }
+    let format = NumberFormat { range: 0.0..=1e9, decimals: 4, suffix: "" };
+    let (name, tip) = (texts.lens_radius(), texts.lens_radius_tip());
+    let field = NumberField::new(&name, f64::from(camera.lens_radius.get()), format).tooltip(&tip);
+    if let Some((value, gesture)) = field.slider(0.0..=1.0).show(ui, texts)
+        && let Ok(radius) = NonNegative::try_from(value)
+    {
+        desk.send(Command::Edit(Edit::Camera(index, CameraEdit::SetLensRadius(radius)), gesture));
+    }
+}

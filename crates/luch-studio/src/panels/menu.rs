@@ -1,0 +1,81 @@
+//! The menu bar.
+
+use crate::command::{Command, Zoom};
+use crate::dialogs::Dialog;
+use crate::l10n::Language;
+use crate::state::Desk;
+use egui::{Button, MenuBar, ThemePreference, Ui};
+
+pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
+    let texts = desk.texts;
+    MenuBar::new().ui(ui, |ui| {
+        ui.menu_button(texts.menu_file(), |ui| {
+            item(ui, desk, Command::New, true);
+            ui.separator();
+            item(ui, desk, Command::Save, desk.state.document.is_changed());
+            ui.separator();
+            item(ui, desk, Command::Quit, true);
+        });
+        ui.menu_button(texts.menu_edit(), |ui| {
+            item(ui, desk, Command::Undo, desk.state.document.can_undo());
+            item(ui, desk, Command::Redo, desk.state.document.can_redo());
+            ui.separator();
+            let selected = desk.state.selection.is_some();
+            for command in [Command::Duplicate, Command::Delete, Command::ToggleHidden, Command::Select(None)] {
+                item(ui, desk, command, selected);
+            }
+        });
+        ui.menu_button(texts.menu_view(), |ui| {
+            item(ui, desk, Command::SetZoom(Zoom::Fit), true);
+            item(ui, desk, Command::SetZoom(Zoom::Factor(1.0)), true);
+            ui.separator();
+            item(ui, desk, Command::SetPose(None), desk.state.view.pose.is_some());
+            item(ui, desk, Command::StorePose, desk.state.view.pose.is_some());
+            ui.separator();
+            theme_menu(ui, desk);
+            language_menu(ui, desk);
+        });
+        ui.menu_button(texts.menu_help(), |ui| {
+            item(ui, desk, Command::Show(Dialog::Shortcuts), true);
+            item(ui, desk, Command::Show(Dialog::About), true);
+        });
+    });
+}
+
+/// A command as a line of a menu, with its key.
+pub(crate) fn item(ui: &mut Ui, desk: &mut Desk<'_>, command: Command, enabled: bool) {
+    let mut button = Button::new(command.label(desk.texts));
+    if let Some(shortcut) = command.shortcut() {
+        button = button.shortcut_text(ui.ctx().format_shortcut(&shortcut));
+    }
+    if ui.add_enabled(enabled, button).clicked() {
+        desk.send(command);
+    }
+}
+
+fn theme_menu(ui: &mut Ui, desk: &mut Desk<'_>) {
+    let texts = desk.texts;
+    ui.menu_button(texts.menu_theme(), |ui| {
+        let themes = [
+            (ThemePreference::System, texts.theme_system()),
+            (ThemePreference::Light, texts.theme_light()),
+            (ThemePreference::Dark, texts.theme_dark()),
+        ];
+        for (theme, name) in themes {
+            if ui.radio(desk.state.preferences.theme == theme, name).clicked() {
+                desk.send(Command::SetTheme(theme));
+            }
+        }
+    });
+}
+
+/// The languages by their own names; the word for it stands in both, for those who look for theirs.
+fn language_menu(ui: &mut Ui, desk: &mut Desk<'_>) {
+    ui.menu_button(desk.texts.menu_language(), |ui| {
+        for &language in Language::iter() {
+            if ui.radio(desk.state.preferences.language == language, language.language_name()).clicked() {
+                desk.send(Command::SetLanguage(language));
+            }
+        }
+    });
+}

@@ -1,0 +1,45 @@
+//! The controls around the picture: menu above, status below, everything else to the right.
+
+mod lens;
+mod menu;
+mod notices;
+mod objects;
+mod parameters;
+mod properties;
+mod render;
+mod scene;
+mod status;
+
+use crate::state::Desk;
+use egui::{CollapsingHeader, Panel, ScrollArea, Ui};
+
+/// The least and the first width of the panel to the right, in points.
+const WIDTH: [f32; 2] = [300.0, 360.0];
+
+/// Shows all panels; what is left of the window is the picture's.
+pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
+    Panel::top("menu").show(ui, |ui| menu::show(ui, desk));
+    Panel::bottom("status").show(ui, |ui| status::show(ui, desk));
+    Panel::right("controls").min_size(WIDTH[0]).default_size(WIDTH[1]).max_size(640.0).show(ui, |ui| {
+        // Always in sight, whatever is scrolled.
+        Panel::bottom("render").resizable(false).show(ui, |ui| render::show(ui, desk));
+        ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
+            ui.add_space(4.0);
+            let texts = desk.texts;
+            section(ui, "scene", &texts.panel_scene(), desk, scene::show);
+            section(ui, "objects", &texts.panel_objects(), desk, objects::show);
+            section(ui, "properties", &texts.panel_properties(), desk, properties::show);
+            section(ui, "parameters", &texts.panel_parameters(), desk, parameters::show);
+            section(ui, "lens", &texts.panel_lens(), desk, lens::show);
+            ui.add_space(8.0);
+        });
+    });
+    notices::show(ui.ctx(), desk);
+}
+
+/// A part of the panel that can be folded away.
+fn section(ui: &mut Ui, id: &str, title: &str, desk: &mut Desk<'_>, show: fn(&mut Ui, &mut Desk<'_>)) {
+    CollapsingHeader::new(egui::RichText::new(title).strong()).id_salt(id).default_open(true).show(ui, |ui| {
+        show(ui, desk);
+    });
+}

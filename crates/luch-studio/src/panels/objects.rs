@@ -1,0 +1,95 @@
+//! The list of the scene's objects and lights.
+
+use crate::command::Command;
+use crate::selection::Part;
+use crate::state::Desk;
+use crate::undo::Gesture;
+use crate::widgets::icon::{self, Icon};
+use egui::{Button, Id, ScrollArea, TextEdit, Ui, vec2};
+
+/// Rows that are seen at once.
+const ROWS: f32 = 9.0;
+
+pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
+    let filter = filter_field(ui, desk);
+    let parts = parts_of(desk, &filter);
+    if parts.is_empty() {
+        ui.weak(desk.texts.objects_none_found());
+        return;
+    }
+    let height = ui.spacing().interact_size.y;
+    let newly = newly_selected(ui, desk);
+    let mut area = ScrollArea::vertical().id_salt("objects").max_height(ROWS * height).auto_shrink([false, true]);
+    // A selection made in the picture is brought into sight in the list.
+    if let Some(row) = newly.and_then(|part| parts.iter().position(|known| *known == part)) {
+        let row_height = height + ui.spacing().item_spacing.y;
+        let offset = (row as f32 - ROWS / 2.0).max(0.0) * row_height;
+        area = area.vertical_scroll_offset(offset);
+    }
+    area.show_rows(ui, height, parts.len(), |ui, rows| {
+        for part in parts.get(rows).unwrap_or_default() {
+            row(ui, desk, *part);
+        }
+    });
+}
+
+fn filter_field(ui: &mut Ui, desk: &Desk<'_>) -> String {
+    let id = Id::unique("objects filter");
+    let mut filter: String = ui.data(|d| d.get_temp(id)).unwrap_or_default();
+    let name = desk.texts.objects_filter();
+    let edit = TextEdit::singleline(&mut filter).hint_text(name.clone()).desired_width(f32::INFINITY).id(id);
+    let response = ui.add(edit);
+    // The hint goes away with the first letter; the name stays.
+    response.widget_info(|| {
+        let mut info = egui::WidgetInfo::text_edit(ui.is_enabled(), &filter, &filter, &name);
+        info.label = Some(name.clone());
+        info
+    });
+    ui.data_mut(|d| d.insert_temp(id, filter.clone()));
+    filter.to_lowercase()
+}
+
+/// Objects and lights whose names have the words of the filter.
+fn parts_of(desk: &Desk<'_>, filter: &str) -> Vec<Part> {
+    let scene = desk.scene();
+    let matches = |name: &str| filter.is_empty() || name.to_lowercase().contains(filter);
+    let objects = scene.objects.iter().enumerate().filter(|(_, o)| matches(&o.name)).map(|(i, _)| Part::Object(i));
+    let lights = scene.lights.iter().enumerate().filter(|(_, l)| matches(&l.name)).map(|(i, _)| Part::Light(i));
+    objects.chain(lights).collect()
+}
+
+/// What is selected, if it was not when the list was drawn last.
+fn newly_selected(ui: &Ui, desk: &Desk<'_>) -> Option<Part> {
+    let id = Id::unique("objects selection");
+    let before: Option<Part> = ui.data(|d| d.get_temp(id)).flatten();
+    let now = desk.state.selection;
+    ui.data_mut(|d| d.insert_temp(id, now));
+    now.filter(|_| now != before)
+}
+
+fn row(ui: &mut Ui, desk: &mut Desk<'_>, part: Part) {
+    let Some(name) = part.name(desk.scene()).map(str::to_owned) else { return };
+    let hidden = part.is_hidden(desk.scene());
+    let selected = desk.state.selection == Some(part);
+    ui.push_id(part, |ui| {
+        ui.horizontal(|ui| {
+            icon::label(ui, Icon::of(part, desk.scene()));
+            let width = ui.available_width() - 24.0 - ui.spacing().item_spacing.x;
+            let text = egui::RichText::new(&name);
+            let text = if hidden { text.weak() } else { text };
+            let button = Button::selectable(selected, text).truncate().min_size(vec2(width, 0.0));
+            let response = ui.add_sized(vec2(width, ui.spacing().interact_size.y), button);
+            if response.clicked() {
+                desk.send(Command::Select(Some(part)));
+            }
+            let (eye, does) = if hidden {
+                (Icon::Hidden, desk.texts.objects_show(&name))
+            } else {
+                (Icon::Shown, desk.texts.objects_hide(&name))
+            };
+            if icon::button(ui, eye, &does, hidden).clicked() {
+                desk.send(Command::Edit(part.set_hidden(!hidden), Gesture::Single));
+            }
+        });
+    });
+}

@@ -1,0 +1,145 @@
+//! The button, how far the picture is, and how it is made.
+
+use crate::command::Command;
+use crate::preferences::{Preferences, cores};
+use crate::state::Desk;
+use crate::undo::Gesture;
+use crate::widgets::check::NumberFormat;
+use crate::widgets::number::{NumberField, field_of, show_complaint};
+use crate::widgets::row;
+use egui::{Button, ProgressBar, Ui, vec2};
+use luch_render::session::live::{LivePhase, LiveStatus};
+use luch_scene::{Edit, ImageSize, RenderSettings, SettingsEdit};
+use std::time::Duration;
+
+pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
+    ui.add_space(4.0);
+    size_fields(ui, desk);
+    depth_field(ui, desk);
+    threads_field(ui, desk);
+    let texts = desk.texts;
+    let mut live = desk.state.preferences.live;
+    if ui.checkbox(&mut live, texts.live_update()).on_hover_text(texts.live_update_tip()).changed() {
+        desk.send(Command::SetLive(live));
+    }
+    let status = desk.render.status();
+    let busy = status.phase != LivePhase::Idle || desk.loading.is_some();
+    ui.horizontal(|ui| {
+        let width = ui.available_width();
+        let cancel = 110.0;
+        let mut name = egui::RichText::new(texts.command_render()).strong();
+        if desk.state.pending {
+            name = name.color(ui.visuals().warn_fg_color);
+        }
+        let button = Button::new(name).min_size(vec2(width - cancel - ui.spacing().item_spacing.x, 30.0));
+        if ui.add(button).on_hover_text(texts.render_tip()).clicked() {
+            desk.send(Command::Render);
+        }
+        let button = Button::new(texts.command_cancel()).min_size(vec2(cancel, 30.0));
+        if ui.add_enabled(busy, button).clicked() {
+            desk.send(Command::Cancel);
+        }
+    });
+    progress(ui, desk, &status);
+    ui.add_space(4.0);
+}
+
+/// The bar: how much of the picture is made and how long the rest takes.
+fn progress(ui: &mut Ui, desk: &Desk<'_>, status: &LiveStatus) {
+    let texts = desk.texts;
+    let share = if status.total == 0 { 0.0 } else { status.done as f32 / status.total as f32 };
+    let text = if desk.loading.is_some() {
+        texts.scene_loading()
+    } else if desk.state.pending {
+        texts.changes_wait()
+    } else {
+        match status.phase {
+            LivePhase::Compiling => texts.progress_preparing(),
+            LivePhase::Rendering => match time_left(share, status.elapsed) {
+                Some(left) => texts.progress_left(percent(share), duration(left, desk)),
+                None => percent(share),
+            },
+            LivePhase::Idle => duration(status.elapsed, desk),
+        }
+    };
+    let name = texts.progress();
+    let response = ui.add(ProgressBar::new(share).text(text.clone()).desired_height(18.0));
+    response.widget_info(|| {
+        let mut info = egui::WidgetInfo::labeled(egui::Role::ProgressIndicator, true, &name);
+        info.current_text_value = Some(text.clone());
+        info
+    });
+}
+
+fn percent(share: f32) -> String {
+    format!("{:.0} %", share * 100.0)
+}
+
+/// How long the rest takes if it goes on as it went. Nothing is said before there is something to go by.
+fn time_left(share: f32, elapsed: Duration) -> Option<Duration> {
+    let enough = share > 0.02 && elapsed > Duration::from_millis(300);
+    enough.then(|| elapsed.mul_f32((1.0 - share) / share))
+}
+
+/// A duration as people say it.
+pub(super) fn duration(duration: Duration, desk: &Desk<'_>) -> String {
+    let seconds = duration.as_secs_f64();
+    if seconds < 1.0 {
+        desk.texts.milliseconds(format!("{:.0}", seconds * 1e3))
+    } else if seconds < 100.0 {
+        desk.texts.seconds(format!("{seconds:.1}"))
+    } else {
+        desk.texts.minutes(format!("{:.0}", (seconds / 60.0).floor()), format!("{:.0}", seconds % 60.0))
+    }
+}
+
+fn size_fields(ui: &mut Ui, desk: &mut Desk<'_>) {
+    let texts = desk.texts;
+    let size = desk.scene().settings.size;
+    let format = NumberFormat { range: 1.0..=f64::from(ImageSize::MAX_SIDE), decimals: 0, suffix: "" };
+    let [width_id, height_id] = ["width", "height"].map(|side| ui.scope_id().with(("size", side)));
+    let sides = [f64::from(size.width()), f64::from(size.height())];
+    let typed = row::labelled(ui, &texts.picture_size(), &texts.picture_size_tip(), |ui, _| {
+        let (width, typed_width) = field_of(ui, width_id, sides[0], &format, 64.0, texts);
+        name(&width, &texts.picture_width());
+        ui.label("×");
+        let (height, typed_height) = field_of(ui, height_id, sides[1], &format, 64.0, texts);
+        name(&height, &texts.picture_height());
+        (typed_width.is_some() || typed_height.is_some())
+            .then(|| [typed_width.unwrap_or(sides[0]), typed_height.unwrap_or(sides[1])])
+    });
+    show_complaint(ui, width_id, sides[0]);
+    show_complaint(ui, height_id, sides[1]);
+    if let Some([width, height]) = typed
+        && let Ok(size) = ImageSize::new(width as u32, height as u32)
+    {
+        desk.send(Command::Edit(Edit::Settings(SettingsEdit::SetSize(size)), Gesture::Single));
+    }
+}
+
+/// Gives a field the name that a screen reader says.
+fn name(response: &egui::Response, name: &str) {
+    response.ctx.accesskit_node_builder(response.id, |node| node.set_label(name));
+}
+
+fn depth_field(ui: &mut Ui, desk: &mut Desk<'_>) {
+    let texts = desk.texts;
+    let (name, tip) = (texts.depth(), texts.depth_tip());
+    let format = NumberFormat { range: 0.0..=f64::from(RenderSettings::MAX_DEPTH), decimals: 0, suffix: "" };
+    let field = NumberField::new(&name, f64::from(desk.scene().settings.depth), format).tooltip(&tip);
+    if let Some((depth, gesture)) = field.slider(0.0..=16.0).show(ui, texts) {
+        desk.send(Command::Edit(Edit::Settings(SettingsEdit::SetDepth(depth as u32)), gesture));
+    }
+}
+
+fn threads_field(ui: &mut Ui, desk: &mut Desk<'_>) {
+    let texts = desk.texts;
+    let (name, tip) = (texts.threads(), texts.threads_tip(cores()));
+    let format = NumberFormat { range: 1.0..=Preferences::MAX_THREADS as f64, decimals: 0, suffix: "" };
+    let most = (cores() * 2).max(8) as f64;
+    let field = NumberField::new(&name, desk.state.preferences.threads_in_use() as f64, format).tooltip(&tip);
+    if let Some((threads, _)) = field.slider(1.0..=most).show(ui, texts) {
+        let threads = threads as usize;
+        desk.send(Command::SetThreads((threads != cores()).then_some(threads)));
+    }
+}

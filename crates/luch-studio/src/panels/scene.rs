@@ -1,0 +1,88 @@
+//! Which scene, through which camera, how wide.
+
+use crate::command::Command;
+use crate::state::Desk;
+use crate::undo::Gesture;
+use crate::widgets::check::NumberFormat;
+use crate::widgets::number::NumberField;
+use crate::widgets::row;
+use egui::{ComboBox, Ui};
+use luch_io::{SceneSource, builtin};
+use luch_scene::{CameraEdit, Edit, FieldOfView};
+
+pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
+    scene_choice(ui, desk);
+    camera_choice(ui, desk);
+    field_of_view(ui, desk);
+}
+
+fn scene_choice(ui: &mut Ui, desk: &mut Desk<'_>) {
+    let texts = desk.texts;
+    let name = texts.scene_choice();
+    row::labelled(ui, &name, &texts.scene_choice_tip(), |ui, label| {
+        let shown = match desk.loading {
+            Some(_) => texts.scene_loading(),
+            None => desk.scene().name.clone(),
+        };
+        let current = desk.loading.or(desk.state.document.source.as_ref()).cloned();
+        let combo = ComboBox::from_id_salt("scene").width(ui.available_width()).selected_text(shown).truncate();
+        let response = combo.show_ui(ui, |ui| {
+            for id in builtin::ids() {
+                let source = SceneSource::BuiltIn(id);
+                let selected = current.as_ref() == Some(&source);
+                if ui.selectable_label(selected, built_in_name(id, desk)).clicked() {
+                    desk.send(Command::Open(source));
+                }
+            }
+        });
+        response.response.labelled_by(label.id);
+    });
+}
+
+/// What a built-in scene is called in the language of the window.
+fn built_in_name(id: &str, desk: &Desk<'_>) -> String {
+    match id {
+        "two-spheres" => desk.texts.scene_two_spheres(),
+        "one-sphere" => desk.texts.scene_one_sphere(),
+        "knight" => desk.texts.scene_knight(),
+        "chess" => desk.texts.scene_chess(),
+        other => other.to_owned(),
+    }
+}
+
+fn camera_choice(ui: &mut Ui, desk: &mut Desk<'_>) {
+    let texts = desk.texts;
+    let names: Vec<String> = desk.scene().cameras.iter().map(|camera| camera.name.clone()).collect();
+    let index = desk.state.view.index;
+    let moved = desk.state.view.pose.is_some();
+    row::labelled(ui, &texts.camera_choice(), &texts.camera_choice_tip(), |ui, label| {
+        let mut shown = names.get(index).cloned().unwrap_or_default();
+        if moved {
+            shown.push_str(" *");
+        }
+        let combo = ComboBox::from_id_salt("camera").width(ui.available_width()).selected_text(shown).truncate();
+        let response = combo.show_ui(ui, |ui| {
+            for (other, name) in names.iter().enumerate() {
+                if ui.selectable_label(other == index && !moved, name).clicked() {
+                    desk.send(Command::ChooseCamera(other));
+                }
+            }
+        });
+        response.response.labelled_by(label.id);
+    });
+}
+
+fn field_of_view(ui: &mut Ui, desk: &mut Desk<'_>) {
+    let texts = desk.texts;
+    let Some(camera) = desk.state.camera() else { return };
+    let index = desk.state.view.index;
+    let format = NumberFormat { range: 0.01..=179.0, decimals: 2, suffix: "°" };
+    let (name, tip) = (texts.field_of_view(), texts.field_of_view_tip());
+    let field = NumberField::new(&name, f64::from(camera.fov.get()), format).tooltip(&tip).slider(5.0..=120.0);
+    if let Some((value, gesture)) = field.show(ui, texts)
+        && let Ok(fov) = FieldOfView::try_from(value)
+    {
+        desk.send(Command::Edit(Edit::Camera(index, CameraEdit::SetFov(fov)), gesture));
+    }
+    let _ = Gesture::Single;
+}

@@ -1,0 +1,343 @@
+//! The studio: takes in what happened, shows the panels, applies the commands that they queued.
+
+use crate::command::Command;
+use crate::dialogs;
+use crate::document::Document;
+use crate::l10n::{self, Texts};
+use crate::loader::{LoadFailure, Loaded, Loader};
+use crate::notices::{Notices, Severity};
+use crate::panels;
+use crate::preferences::Preferences;
+use crate::render_link::RenderLink;
+use crate::selection::{Anchor, Part};
+use crate::shortcuts;
+use crate::state::{Desk, State};
+use crate::undo::Gesture;
+use crate::view::View;
+use crate::viewport;
+use egui::{Context, Ui, ViewportCommand};
+use luch_io::SceneSource;
+use luch_render::session::live::LivePhase;
+use luch_scene::{Aim, Camera, Edit, EditError, Light, Point, Scene};
+use std::time::{Duration, Instant};
+
+/// How often progress is drawn while a picture is made.
+const PROGRESS_EVERY: Duration = Duration::from_millis(100);
+
+/// How a studio starts.
+#[derive(Debug, Clone, Default)]
+pub struct Start {
+    /// What to show; `None`: the first built-in scene.
+    pub scene: Option<SceneSource>,
+    /// The tag of the language to speak, `en` or `ru`; `None`: the one used last, or the system's.
+    pub language: Option<String>,
+}
+
+/// The window's application.
+pub struct Studio {
+    state: State,
+    texts: Texts,
+    render: RenderLink,
+    loader: Loader,
+    commands: Vec<Command>,
+    /// Whether what is seen differs from what was asked for last.
+    stale: bool,
+}
+
+impl Studio {
+    /// A studio with its first scene.
+    ///
+    /// # Errors
+    /// If the system gives no thread to render on.
+    pub fn new(creation: &eframe::CreationContext<'_>, start: Start) -> std::io::Result<Self> {
+        let mut preferences = Preferences::load(creation.storage);
+        if let Some(language) = start.language.as_deref().and_then(l10n::of_tag) {
+            preferences.language = language;
+        }
+        creation.egui_ctx.set_theme(preferences.theme);
+        crate::style::apply(&creation.egui_ctx);
+        let first = first_scene();
+        let state = State {
+            document: Document::opened(first, SceneSource::BuiltIn(FIRST)),
+            view: View::default(),
+            selection: None,
+            tool: crate::command::Tool::default(),
+            zoom: crate::command::Zoom::default(),
+            notices: Notices::default(),
+            dialog: None,
+            pending: false,
+            preferences,
+        };
+        let texts = state.preferences.language.load();
+        let render = RenderLink::start(&creation.egui_ctx)?;
+        let mut studio = Self { state, texts, render, loader: Loader::new(), commands: Vec::new(), stale: true };
+        if let Some(source) = start.scene.filter(|source| *source != SceneSource::BuiltIn(FIRST)) {
+            studio.open(&creation.egui_ctx, source);
+        }
+        Ok(studio)
+    }
+
+    /// Whether nothing is under way: no load, no picture, no command.
+    #[must_use]
+    pub fn is_settled(&self) -> bool {
+        self.loader.source().is_none() && self.commands.is_empty() && !self.stale && self.render.is_settled()
+    }
+
+    /// The picture that is shown: width, height, red, green, blue and alpha of each pixel, rows from the top.
+    #[must_use]
+    pub fn picture(&self) -> Option<(u32, u32, &[[u8; 4]])> {
+        self.render.picture().map(|(snapshot, _)| (snapshot.width, snapshot.height, snapshot.pixels.as_slice()))
+    }
+
+    /// The scene as it is now.
+    #[must_use]
+    pub fn scene(&self) -> &Scene {
+        self.state.scene()
+    }
+
+    /// The name of what is selected.
+    #[must_use]
+    pub fn selected(&self) -> Option<&str> {
+        self.state.selection.and_then(|part| part.name(self.state.scene()))
+    }
+
+    /// Takes in what the loader and the renderer have done since the last frame.
+    fn take_in(&mut self, ctx: &Context) {
+        if let Some(loaded) = self.loader.poll() {
+            self.take_scene(loaded);
+        }
+        self.render.poll(ctx);
+        if let Some(message) = self.render.failure() {
+            self.state.notices.error(self.texts.notice_render_failed(), message);
+        }
+        if let Some(next) = self.state.notices.expire(Instant::now()) {
+            ctx.request_repaint_after(next);
+        }
+    }
+
+    fn take_scene(&mut self, Loaded { source, scene, warnings }: Loaded) {
+        match scene {
+            Ok(mut scene) => {
+                if scene.cameras.is_empty() {
+                    scene.cameras.push(default_camera(&scene));
+                }
+                if let SceneSource::File(path) | SceneSource::Model(path) = &source {
+                    self.state.preferences.remember(path);
+                }
+                self.replace(Document::opened(scene, source));
+                if !warnings.is_empty() {
+                    let title = self.texts.notice_loaded_with_warnings();
+                    self.state.notices.add(Severity::Warning, title, warnings.join("\n"));
+                }
+            }
+            Err(LoadFailure::File(error)) => {
+                self.state.notices.error(self.texts.notice_not_loaded(), error.to_string())
+            }
+            Err(LoadFailure::Internal(message)) => self.state.notices.error(self.texts.notice_internal(), message),
+        }
+    }
+
+    /// Shows another document in place of the one at hand.
+    fn replace(&mut self, document: Document) {
+        self.state.document = document;
+        self.state.view = View::default();
+        self.state.selection = None;
+        self.show_anew();
+    }
+
+    fn open(&mut self, ctx: &Context, source: SceneSource) {
+        let wake = ctx.clone();
+        if let Err(error) = self.loader.start(source, move || wake.request_repaint()) {
+            self.state.notices.error(self.texts.notice_internal(), error.to_string());
+        }
+    }
+
+    /// Notes that what is seen has changed: a new picture starts, or waits for the button.
+    fn changed(&mut self) {
+        if self.state.preferences.live {
+            self.show_anew();
+        } else {
+            self.state.pending = true;
+        }
+    }
+
+    fn show_anew(&mut self) {
+        self.stale = true;
+    }
+
+    /// Asks for the picture of what is seen now, unless a scene on its way will replace it.
+    fn ask(&mut self) {
+        if !self.stale || self.loader.source().is_some() {
+            return;
+        }
+        self.stale = false;
+        self.state.pending = false;
+        if let Some(camera) = self.state.camera() {
+            self.render.ask(self.state.document.scene(), camera, self.state.preferences.threads_in_use());
+        }
+    }
+
+    /// The one place where the window's state changes.
+    fn apply(&mut self, command: Command, ctx: &Context) {
+        match command {
+            Command::New => self.replace(Document::untitled(new_scene(&self.texts), None, false)),
+            Command::Open(source) => self.open(ctx, source),
+            Command::Save => {}
+            Command::Edit(edit, gesture) => self.edit(edit, gesture),
+            Command::Undo => self.turn(Document::undo),
+            Command::Redo => self.turn(Document::redo),
+            Command::Select(part) => self.state.selection = part.filter(|part| part.exists(self.state.scene())),
+            Command::Duplicate => self.edit_selected(Part::duplicate),
+            Command::Delete => self.edit_selected(Part::remove),
+            Command::ToggleHidden => {
+                let scene = self.state.document.scene().clone();
+                self.edit_selected(|part| part.set_hidden(!part.is_hidden(&scene)));
+            }
+            Command::ChooseCamera(index) => {
+                self.state.view = View { index, pose: None };
+                self.state.view.stay_within(self.state.document.scene());
+                self.changed();
+            }
+            Command::SetPose(pose) => {
+                self.state.view.pose = pose;
+                self.changed();
+            }
+            Command::StorePose => {
+                if let Some(edit) = self.state.view.store() {
+                    self.edit(edit, Gesture::Single);
+                    self.state.view.pose = None;
+                }
+            }
+            Command::Render => self.show_anew(),
+            Command::Cancel => {
+                self.loader.stop();
+                self.render.stop();
+            }
+            Command::SetLive(live) => {
+                self.state.preferences.live = live;
+                if live && self.state.pending {
+                    self.show_anew();
+                }
+            }
+            Command::SetThreads(threads) => {
+                self.state.preferences.threads = threads;
+                self.changed();
+            }
+            Command::SetLanguage(language) => {
+                self.state.preferences.language = language;
+                self.texts = language.load();
+            }
+            Command::SetTheme(theme) => {
+                self.state.preferences.theme = theme;
+                ctx.set_theme(theme);
+            }
+            Command::SetTool(tool) => self.state.tool = tool,
+            Command::SetZoom(zoom) => self.state.zoom = zoom,
+            Command::Show(dialog) => self.state.dialog = Some(dialog),
+            Command::CloseDialog => self.state.dialog = None,
+            Command::DismissNotice(id) => self.state.notices.dismiss(id),
+            Command::Quit => ctx.send_viewport_cmd(ViewportCommand::Close),
+        }
+    }
+
+    fn edit(&mut self, edit: Edit, gesture: Gesture) {
+        let added = Part::added_by(&edit);
+        self.change_scene(|document| document.apply(edit, gesture).map(|()| true));
+        if let Some(part) = added.filter(|part| part.exists(self.state.scene())) {
+            self.state.selection = Some(part);
+        }
+    }
+
+    fn edit_selected(&mut self, edit: impl FnOnce(Part) -> Edit) {
+        if let Some(part) = self.state.selection {
+            self.edit(edit(part), Gesture::Single);
+        }
+    }
+
+    fn turn(&mut self, turn: fn(&mut Document) -> Result<bool, EditError>) {
+        self.change_scene(turn);
+    }
+
+    /// Changes the scene and keeps selection and view on what they were on.
+    fn change_scene(&mut self, change: impl FnOnce(&mut Document) -> Result<bool, EditError>) {
+        let anchor = self.state.selection.and_then(|part| Anchor::of(part, self.state.document.scene()));
+        match change(&mut self.state.document) {
+            Ok(false) => {}
+            Ok(true) => {
+                let scene = self.state.document.scene();
+                self.state.selection = anchor.and_then(|anchor| anchor.find(scene));
+                self.state.view.stay_within(scene);
+                self.changed();
+            }
+            Err(error) => self.state.notices.error(self.texts.notice_edit_refused(), error.to_string()),
+        }
+    }
+
+    /// Draws again in time for progress to be seen, and not at all when nothing goes on.
+    fn schedule(&self, ctx: &Context) {
+        if self.loader.source().is_some() || self.render.status().phase != LivePhase::Idle {
+            ctx.request_repaint_after(PROGRESS_EVERY);
+        }
+    }
+}
+
+impl eframe::App for Studio {
+    fn logic(&mut self, ctx: &Context, _frame: &mut eframe::Frame) {
+        self.take_in(ctx);
+    }
+
+    fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
+        let ctx = ui.ctx().clone();
+        let mut commands = std::mem::take(&mut self.commands);
+        let desk = &mut Desk {
+            state: &self.state,
+            texts: &self.texts,
+            render: &self.render,
+            loading: self.loader.source(),
+            commands: &mut commands,
+        };
+        shortcuts::take(&ctx, desk);
+        panels::show(ui, desk);
+        viewport::show(ui, desk);
+        dialogs::show(&ctx, desk);
+        for command in commands {
+            self.apply(command, &ctx);
+        }
+        if !ctx.input(|i| i.pointer.any_down()) {
+            self.state.document.end_gesture();
+        }
+        self.ask();
+        self.schedule(&ctx);
+    }
+
+    fn save(&mut self, storage: &mut dyn eframe::Storage) {
+        self.state.preferences.store(storage);
+    }
+}
+
+/// The scene that a window starts with.
+const FIRST: &str = "two-spheres";
+
+/// The first built-in scene; it has no models, so it is there at once.
+fn first_scene() -> Scene {
+    let mut no_models = |path: &str, _: &mut luch_io::Report| {
+        Err(luch_io::Error::new(luch_io::ErrorKind::Forbidden, path, "the first scene has no models"))
+    };
+    luch_io::builtin::load(FIRST, &mut no_models, &mut luch_io::Report::default()).unwrap_or_else(|_| Scene::new(FIRST))
+}
+
+/// An empty scene that one can put things into: a lamp and a camera.
+fn new_scene(texts: &Texts) -> Scene {
+    let mut scene = Scene::new(texts.new_scene_name());
+    scene.lights.push(Light::new(texts.new_lamp_name(), Point::clamped([3.0, 6.0, 4.0].into())));
+    scene.cameras.push(default_camera(&scene));
+    scene
+}
+
+/// A camera that has the whole scene in view.
+fn default_camera(scene: &Scene) -> Camera {
+    let [lo, hi] = scene.bounds().unwrap_or([glam::Vec3::splat(-1.0), glam::Vec3::splat(1.0)]);
+    let (middle, reach) = ((lo + hi) * 0.5, ((hi - lo).length() * 0.5).max(1e-3));
+    let from = middle + glam::vec3(0.0, 0.35, 1.0).normalize_or_zero() * reach * 3.0;
+    Camera::new(scene.free_camera_name("Camera 1"), Point::clamped(from), Aim::At(Point::clamped(middle)))
+}

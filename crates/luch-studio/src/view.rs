@@ -1,0 +1,52 @@
+//! From where the picture is seen: a camera of the scene, and how far the mouse has moved away from it.
+
+use luch_scene::{Aim, Camera, CameraEdit, Edit, Point, Scene};
+
+/// A place and a direction to look from that differ from the camera's own.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Pose {
+    pub(crate) position: Point,
+    pub(crate) aim: Aim,
+}
+
+impl Pose {
+    pub(crate) const fn of(camera: &Camera) -> Self {
+        Self { position: camera.position, aim: camera.aim }
+    }
+}
+
+/// The camera in use. Its lens is the scene's; only its pose may have wandered off.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct View {
+    /// Place of the camera in the scene's list.
+    pub(crate) index: usize,
+    /// Where the mouse has moved it; `None`: where the scene has it.
+    pub(crate) pose: Option<Pose>,
+}
+
+impl View {
+    /// The camera to look through; `None` only for a scene without cameras.
+    pub(crate) fn camera(&self, scene: &Scene) -> Option<Camera> {
+        let mut camera = scene.cameras.get(self.index).or_else(|| scene.cameras.first())?.clone();
+        if let Some(pose) = self.pose {
+            camera.position = pose.position;
+            camera.aim = pose.aim;
+        }
+        Some(camera)
+    }
+
+    /// The edit that makes the scene's camera stand where the mouse has moved it.
+    pub(crate) fn store(&self) -> Option<Edit> {
+        let pose = self.pose?;
+        let set = |edit| Edit::Camera(self.index, edit);
+        Some(Edit::Group(vec![set(CameraEdit::MoveTo(pose.position)), set(CameraEdit::SetAim(pose.aim))]))
+    }
+
+    /// Keeps the view on a camera that exists after the list has changed.
+    pub(crate) fn stay_within(&mut self, scene: &Scene) {
+        let last = scene.cameras.len().saturating_sub(1);
+        if self.index > last {
+            *self = Self { index: last, pose: None };
+        }
+    }
+}

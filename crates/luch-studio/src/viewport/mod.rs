@@ -1,0 +1,115 @@
+//! The picture: shown, enlarged, pointed at.
+
+mod canvas;
+mod frame;
+mod lights;
+mod outline;
+mod toolbar;
+
+use crate::command::{Command, Tool};
+use crate::selection::Part;
+use crate::state::Desk;
+use canvas::Canvas;
+use egui::{CentralPanel, Color32, Context, Frame, Id, Painter, Rect, Response, Sense, Ui, pos2};
+use frame::PictureFrame;
+use luch_render::session::live::{Snapshot, pick};
+use std::sync::Arc;
+
+/// Shows the picture in what the panels have left of the window.
+pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
+    CentralPanel::default().frame(Frame::central_panel(ui.style()).inner_margin(0)).show(ui, |ui| {
+        toolbar::show(ui, desk);
+        let area = ui.available_rect_before_wrap();
+        let response = ui.allocate_rect(area, Sense::click_and_drag());
+        name_for_readers(&response, desk);
+        let mut canvas = Canvas::load(ui.ctx());
+        canvas.take_input(ui, &response, desk);
+        let painter = ui.painter_at(area);
+        painter.rect_filled(area, 0.0, surround(ui));
+        let Some((snapshot, texture)) = desk.render.picture() else {
+            canvas.store(ui.ctx());
+            return;
+        };
+        let (snapshot, texture) = (Arc::clone(snapshot), texture.id());
+        let size = snapshot.job.size;
+        let rect = canvas.picture_rect(area, size, desk.state.zoom, ui.pixels_per_point());
+        let frame = PictureFrame::new(rect, &snapshot.job.camera, size);
+        // A preview has rays for whole blocks: the last block may reach beyond the picture.
+        let shown = pos2(
+            size.width() as f32 / (snapshot.width * snapshot.shrink) as f32,
+            size.height() as f32 / (snapshot.height * snapshot.shrink) as f32,
+        );
+        painter.image(texture, rect, Rect::from_min_max(pos2(0.0, 0.0), shown), Color32::WHITE);
+
+        let under = response.hover_pos().and_then(|at| part_at(at, &frame, &snapshot, desk));
+        set_under_pointer(ui.ctx(), under);
+        draw_marks(&painter, &frame, &snapshot, desk, under);
+        if response.clicked() && desk.state.tool == Tool::Select {
+            response.request_focus();
+            desk.send(Command::Select(under));
+        }
+        canvas.store(ui.ctx());
+    });
+}
+
+/// Outlines of what is selected and pointed at, and the lamps.
+fn draw_marks(painter: &Painter, frame: &PictureFrame, snapshot: &Snapshot, desk: &Desk<'_>, under: Option<Part>) {
+    let selected = desk.state.selection;
+    if let Some(part) = under.filter(|part| Some(*part) != selected) {
+        outline::draw(painter, frame, snapshot, desk, part, outline::Strength::Faint);
+    }
+    if let Some(part) = selected {
+        outline::draw(painter, frame, snapshot, desk, part, outline::Strength::Crisp);
+    }
+    lights::draw(painter, frame, desk, under);
+}
+
+/// The lamp or object that is drawn at a point of the window.
+fn part_at(at: egui::Pos2, frame: &PictureFrame, snapshot: &Snapshot, desk: &Desk<'_>) -> Option<Part> {
+    if let Some(lamp) = lights::at(at, frame, desk) {
+        return Some(lamp);
+    }
+    let [x, y] = frame.pixel_at(at)?;
+    let object = pick(&snapshot.compiled, &snapshot.job, x, y)?.object;
+    // The picture may be older than the scene: the name says which object it is now.
+    let name = &snapshot.scene.objects.get(object)?.name;
+    desk.scene().object_named(name).map(Part::Object)
+}
+
+/// A neutral grey around the picture, so that no colour beside it deceives the eye.
+fn surround(ui: &Ui) -> Color32 {
+    if ui.visuals().dark_mode { Color32::from_gray(24) } else { Color32::from_gray(200) }
+}
+
+fn name_for_readers(response: &Response, desk: &Desk<'_>) {
+    let texts = desk.texts;
+    let scene = &desk.scene().name;
+    let camera = desk.state.camera().map(|camera| camera.name).unwrap_or_default();
+    let description = match desk.state.selection.and_then(|part| part.name(desk.scene())) {
+        Some(selected) => texts.picture_with_selection(scene, camera, selected),
+        None => texts.picture_of(scene, camera),
+    };
+    let name = texts.picture();
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, &name));
+    response.ctx.accesskit_node_builder(response.id, |node| node.set_description(description));
+}
+
+fn under_pointer_id() -> Id {
+    Id::unique("part under the pointer")
+}
+
+/// The part of the scene that the pointer is on in the picture.
+pub(crate) fn under_pointer(ctx: &Context) -> Option<Part> {
+    ctx.data(|d| d.get_temp::<Option<Part>>(under_pointer_id())).flatten()
+}
+
+fn set_under_pointer(ctx: &Context, part: Option<Part>) {
+    let changed = ctx.data_mut(|d| {
+        let slot = d.get_temp_mut_or_default::<Option<Part>>(under_pointer_id());
+        std::mem::replace(slot, part) != part
+    });
+    // The status line is drawn before the picture is.
+    if changed {
+        ctx.request_repaint();
+    }
+}

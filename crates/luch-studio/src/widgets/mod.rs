@@ -1,0 +1,8 @@
+//! The controls of the panels: what egui has, with checked input, accessible names and a line of one look.
+
+pub(crate) mod check;
+pub(crate) mod color;
+pub(crate) mod icon;
+pub(crate) mod number;
+pub(crate) mod row;
+pub(crate) mod text;

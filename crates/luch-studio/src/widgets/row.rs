@@ -1,0 +1,32 @@
+//! A line of a panel: the name of a control to the left, the control to the right.
+
+use egui::{Align, Layout, Response, Ui, vec2};
+
+/// The width of the column of names, in points.
+const NAMES: f32 = 128.0;
+
+/// Shows a name and beside it what `control` adds. The control gets the response of the name to be labelled by it.
+pub(crate) fn labelled<R>(ui: &mut Ui, name: &str, tooltip: &str, control: impl FnOnce(&mut Ui, &Response) -> R) -> R {
+    ui.horizontal(|ui| {
+        let width = NAMES.min(ui.available_width() * 0.42);
+        let label = ui
+            .allocate_ui_with_layout(
+                vec2(width, ui.spacing().interact_size.y),
+                Layout::left_to_right(Align::Center).with_main_wrap(true),
+                |ui| {
+                    ui.set_width(width);
+                    ui.label(name)
+                },
+            )
+            .inner;
+        let label = if tooltip.is_empty() { label } else { label.on_hover_text(tooltip) };
+        control(ui, &label)
+    })
+    .inner
+}
+
+/// A line below a control that says what is wrong with its input.
+pub(crate) fn complaint(ui: &mut Ui, text: &str) {
+    let color = ui.visuals().error_fg_color;
+    ui.label(egui::RichText::new(text).color(color).small());
+}

@@ -64,11 +64,6 @@ impl Document {
         self.history.can_redo()
     }
 
-    /// A number that names the scene as it is now.
-    pub(crate) fn state(&self) -> u64 {
-        self.history.state()
-    }
-
     /// Whether something would be lost without saving.
     pub(crate) fn is_changed(&self) -> bool {
         self.saved_state != Some(self.history.state())
@@ -82,10 +77,10 @@ impl Document {
         }
     }
 
-    /// Notes that the scene, as it was in `state`, is in this file now.
-    pub(crate) fn saved(&mut self, path: &Path, state: u64) {
+    /// Notes that the scene as it is now is in this file.
+    pub(crate) fn saved(&mut self, path: &Path) {
         self.history.end_gesture();
-        self.saved_state = Some(state);
+        self.saved_state = Some(self.history.state());
         self.source = Some(SceneSource::File(path.to_owned()));
     }
 }

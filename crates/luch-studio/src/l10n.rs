@@ -1,7 +1,14 @@
 //! The texts of the window in English and Russian. The functions are generated from `locales/` by `build.rs`.
 
 mod generated {
-    #![allow(clippy::all, clippy::pedantic, missing_docs, unreachable_pub, dead_code, reason = "generated code")]
+    #![allow(
+        clippy::all,
+        clippy::allow_attributes_without_reason,
+        missing_docs,
+        unreachable_pub,
+        dead_code,
+        reason = "generated code"
+    )]
     include!(concat!(env!("OUT_DIR"), "/l10n.rs"));
 }
 

@@ -5,7 +5,7 @@ use luch_io::library::MeshLibrary;
 use luch_io::{Error, Report, SceneSource, load_scene};
 use luch_scene::Scene;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::{Receiver, Sender, channel};
+use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::sync::{Arc, Mutex};
 use std::thread;
 
@@ -58,7 +58,7 @@ impl Loader {
         wake: impl FnOnce() + Send + 'static,
     ) -> Result<(), std::io::Error> {
         self.stop();
-        let (send, answer) = channel();
+        let (send, answer) = sync_channel(1);
         let stop = Arc::new(AtomicBool::new(false));
         let work = Work { source: source.clone(), library: Arc::clone(&self.library), stop: Arc::clone(&stop) };
         thread::Builder::new().name("luch-loader".into()).spawn(move || {
@@ -103,7 +103,7 @@ struct Work {
 }
 
 impl Work {
-    fn run(self, answer: &Sender<Loaded>) {
+    fn run(self, answer: &SyncSender<Loaded>) {
         let mut report = Report::default();
         let read = std::panic::AssertUnwindSafe(|| {
             let mut library = self.library.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
@@ -127,7 +127,7 @@ mod tests {
     #[test]
     fn the_newest_load_is_the_one_that_answers() {
         let mut loader = Loader::new();
-        let (done, wait) = channel();
+        let (done, wait) = sync_channel(3);
         for id in ["chess", "knight", "two-spheres"] {
             let done = done.clone();
             loader.start(SceneSource::BuiltIn(id), move || _ = done.send(id)).unwrap();
@@ -144,7 +144,7 @@ mod tests {
     #[test]
     fn a_file_that_is_not_there_is_an_error_with_its_name() {
         let mut loader = Loader::new();
-        let (done, wait) = channel();
+        let (done, wait) = sync_channel(1);
         loader.start(SceneSource::File("nowhere.toml".into()), move || _ = done.send(())).unwrap();
         wait.recv().unwrap();
         let Err(LoadFailure::File(error)) = loader.poll().unwrap().scene else { panic!("it was read") };

@@ -1,6 +1,5 @@
 //! What is selected: an object or a light of the scene.
 
-use glam::Vec3;
 use luch_scene::{Edit, LightEdit, ObjectEdit, Point, Scene};
 
 /// A thing in the list of the scene's objects.
@@ -43,14 +42,6 @@ impl Part {
         match self {
             Self::Object(index) => scene.objects.get(index).map(|o| o.shape.position()),
             Self::Light(index) => scene.lights.get(index).map(|l| l.position),
-        }
-    }
-
-    /// Lower and upper corner of what a camera is to have in view; an unbounded wall has none.
-    pub(crate) fn bounds(self, scene: &Scene) -> Option<[Vec3; 2]> {
-        match self {
-            Self::Object(index) => scene.objects.get(index).and_then(|o| o.shape.bounds()),
-            Self::Light(index) => scene.lights.get(index).map(|l| [l.position.get(); 2]),
         }
     }
 

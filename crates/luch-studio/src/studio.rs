@@ -19,6 +19,7 @@ use egui::{Context, Ui, ViewportCommand};
 use luch_io::SceneSource;
 use luch_render::session::live::LivePhase;
 use luch_scene::{Aim, Camera, Edit, EditError, Light, Point, Scene};
+use std::path::Path;
 use std::time::{Duration, Instant};
 
 /// How often progress is drawn while a picture is made.
@@ -131,7 +132,7 @@ impl Studio {
                 }
             }
             Err(LoadFailure::File(error)) => {
-                self.state.notices.error(self.texts.notice_not_loaded(), error.to_string())
+                self.state.notices.error(self.texts.notice_not_loaded(), error.to_string());
             }
             Err(LoadFailure::Internal(message)) => self.state.notices.error(self.texts.notice_internal(), message),
         }
@@ -177,12 +178,25 @@ impl Studio {
         }
     }
 
+    /// Writes the scene to the file that it came from.
+    fn save_to_file(&mut self) {
+        let Some(path) = self.state.document.file().map(Path::to_owned) else { return };
+        let text = luch_io::write_scene(self.state.document.scene());
+        match luch_io::atomic_save::save(&path, |file| file.write_all(text.as_bytes())) {
+            Ok(()) => {
+                self.state.document.saved(&path);
+                self.state.notices.add(Severity::Done, self.texts.notice_saved(), path.display().to_string());
+            }
+            Err(error) => self.state.notices.error(self.texts.notice_not_saved(), error.to_string()),
+        }
+    }
+
     /// The one place where the window's state changes.
     fn apply(&mut self, command: Command, ctx: &Context) {
         match command {
             Command::New => self.replace(Document::untitled(new_scene(&self.texts), None, false)),
             Command::Open(source) => self.open(ctx, source),
-            Command::Save => {}
+            Command::Save => self.save_to_file(),
             Command::Edit(edit, gesture) => self.edit(edit, gesture),
             Command::Undo => self.turn(Document::undo),
             Command::Redo => self.turn(Document::redo),

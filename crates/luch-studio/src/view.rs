@@ -9,12 +9,6 @@ pub(crate) struct Pose {
     pub(crate) aim: Aim,
 }
 
-impl Pose {
-    pub(crate) const fn of(camera: &Camera) -> Self {
-        Self { position: camera.position, aim: camera.aim }
-    }
-}
-
 /// The camera in use. Its lens is the scene's; only its pose may have wandered off.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct View {

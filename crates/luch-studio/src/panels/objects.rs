@@ -5,7 +5,7 @@ use crate::selection::Part;
 use crate::state::Desk;
 use crate::undo::Gesture;
 use crate::widgets::icon::{self, Icon};
-use egui::{Button, Id, ScrollArea, TextEdit, Ui, vec2};
+use egui::{Align, Button, Id, Layout, ScrollArea, TextEdit, Ui, vec2};
 
 /// Rows that are seen at once.
 const ROWS: f32 = 9.0;
@@ -77,8 +77,10 @@ fn row(ui: &mut Ui, desk: &mut Desk<'_>, part: Part) {
             let width = ui.available_width() - 24.0 - ui.spacing().item_spacing.x;
             let text = egui::RichText::new(&name);
             let text = if hidden { text.weak() } else { text };
-            let button = Button::selectable(selected, text).truncate().min_size(vec2(width, 0.0));
-            let response = ui.add_sized(vec2(width, ui.spacing().interact_size.y), button);
+            let size = vec2(width, ui.spacing().interact_size.y);
+            let left = Layout::left_to_right(Align::Center).with_main_justify(true).with_main_align(Align::Min);
+            let button = Button::selectable(selected, text).truncate();
+            let response = ui.allocate_ui_with_layout(size, left, |ui| ui.add(button)).inner;
             if response.clicked() {
                 desk.send(Command::Select(Some(part)));
             }

@@ -43,7 +43,7 @@ impl PictureFrame {
     pub(super) fn project(&self, place: Vec3) -> Option<Pos2> {
         let [right, up, forward] = self.axes.map(|axis| axis.dot(place - self.eye));
         // Nothing at the eye itself can be seen, and NaN is nowhere.
-        if !(forward > 1e-6) {
+        if forward.is_nan() || forward <= 1e-6 {
             return None;
         }
         let half = self.rect.height() * 0.5 / self.reach;
@@ -78,7 +78,7 @@ mod tests {
     fn what_is_looked_at_is_in_the_middle_and_what_is_behind_is_nowhere() {
         let frame = frame();
         assert_eq!(frame.project(Vec3::ZERO), Some(Pos2::new(300.0, 200.0)));
-        let above = frame.project(Vec3::new(0.0, 5.0 * 22.5_f32.to_radians().tan(), 0.0)).unwrap();
+        let above = frame.project(Vec3::new(0.0, 5.0 * 0.414_213_56, 0.0)).unwrap();
         assert!((above - Pos2::new(300.0, 50.0)).length() < 1e-3, "{above:?}");
         assert!(frame.project(Vec3::X).unwrap().x > 300.0);
         assert_eq!(frame.project(Vec3::new(0.0, 0.0, 6.0)), None);

@@ -87,19 +87,27 @@ fn trace(width: u32, height: u32, inside: impl Fn(u32, u32) -> bool) -> Vec<Vec<
     let mut edges = edges(width, height, inside);
     let mut loops = Vec::new();
     while let Some((&start, &directions)) = edges.iter().next() {
+        let begin = (start, first(directions));
         let mut outline = Vec::new();
-        let (mut corner, mut direction) = (start, first(directions));
+        let (mut corner, mut direction) = begin;
         loop {
-            remove(&mut edges, corner, direction);
             let [dx, dy] = STEPS[direction];
             outline.push(pos2(corner[0] as f32 + dx as f32 * 0.5, corner[1] as f32 + dy as f32 * 0.5));
+            // The first edge stays until the loop comes back to it.
+            if (corner, direction) != begin {
+                remove(&mut edges, corner, direction);
+            }
             corner = [corner[0] + dx, corner[1] + dy];
-            let Some(&next) = edges.get(&corner) else { break };
+            let next = edges.get(&corner).copied().unwrap_or(0);
             // Where two pixels touch at a corner only, the loop stays with its own pixel: it turns right.
             let turns = [(direction + 1) % 4, direction, (direction + 3) % 4];
             let Some(turn) = turns.into_iter().find(|d| next & (1 << d) != 0) else { break };
             direction = turn;
+            if (corner, direction) == begin {
+                break;
+            }
         }
+        remove(&mut edges, begin.0, begin.1);
         loops.push(straightened(&outline));
     }
     // The order of a hash table is nobody's business.

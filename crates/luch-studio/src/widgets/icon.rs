@@ -62,8 +62,7 @@ impl Icon {
                 line(&[at(-1.2, 6.8), at(1.2, 6.8)]);
             }
             Self::Shown | Self::Hidden => {
-                let lid =
-                    |bend: f32| (-6_i8..=6).map(move |x| f32::from(x)).map(move |x| (x, bend * (1.0 - x * x / 36.0)));
+                let lid = |bend: f32| (-6_i8..=6).map(f32::from).map(move |x| (x, bend * (1.0 - x * x / 36.0)));
                 let curve = |bend: f32| lid(bend).map(|(x, y)| at(x, y)).collect::<Vec<_>>();
                 line(&curve(4.0));
                 if self == Self::Shown {

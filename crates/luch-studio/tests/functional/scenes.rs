@@ -9,6 +9,5 @@ fn test_1_a_fresh_start_renders_two_spheres() {
         let picture = desk.render();
         assert_eq!((picture.width, picture.height), (960, 720));
         assert_eq!(desk.harness.state().scene().name, "Two spheres");
-        desk.harness.render().unwrap().save(format!("/tmp/studio-{}.png", words.language)).unwrap();
     }
 }

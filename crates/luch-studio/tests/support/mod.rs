@@ -1,6 +1,6 @@
 //! A studio without a display: its widgets are found by their names, its picture is looked at pixel by pixel.
 
-#![allow(dead_code, reason = "every test program uses its part of this")]
+#![allow(dead_code, unreachable_pub, reason = "every test program uses its part of this")]
 
 use egui::{Modifiers, PointerButton, Pos2, accesskit::Role};
 use egui_kittest::Harness;

@@ -25,7 +25,7 @@ fn find(word: &Path) -> Result<SceneSource, Failure> {
     SceneSource::find(word).map_err(|error| {
         let mut failure = Failure::from(error);
         // A word alone may as well be a mistyped command.
-        if let Some(command) = word.to_str().and_then(|word| nearest(word, COMMANDS.into_iter())) {
+        if let Some(command) = word.to_str().and_then(|word| nearest(word, COMMANDS)) {
             failure = failure.hint(format!("or did you mean the command `luch {command}`?"));
         }
         failure

@@ -34,7 +34,7 @@ pub(super) fn show_shape(ui: &mut Ui, desk: &mut Desk<'_>, index: usize) {
         Shape::Sphere { center, radius } => sphere(ui, desk, center, radius),
         Shape::Cuboid { center, size, rotation } => cuboid(ui, desk, center, size, rotation),
         Shape::Wall { point, normal, size } => wall(ui, desk, point, normal, size),
-        Shape::Mesh(instance) => mesh(ui, desk, instance),
+        Shape::Mesh(instance) => mesh(ui, desk, &instance),
     };
     if let Some((shape, gesture)) = changed {
         desk.send(Command::Edit(Edit::Object(index, ObjectEdit::SetShape(shape)), gesture));
@@ -88,7 +88,7 @@ fn wall(
         .then(|| (Shape::Wall { point, normal: facing.unwrap_or(normal), size: sides }, gesture))
 }
 
-fn mesh(ui: &mut Ui, desk: &Desk<'_>, instance: MeshInstance) -> Option<(Shape, Gesture)> {
+fn mesh(ui: &mut Ui, desk: &Desk<'_>, instance: &MeshInstance) -> Option<(Shape, Gesture)> {
     let turned = turn(ui, desk, instance.rotation)
         .map(|rotation| (MeshInstance { rotation, ..instance.clone() }, Gesture::Single));
     let scaled = length(ui, desk, &desk.texts.scale(), instance.scale);

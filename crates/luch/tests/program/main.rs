@@ -8,7 +8,8 @@ use support::{Folder, program};
 
 /// A program that finds no display.
 fn without_display(args: &[&str]) -> (Option<i32>, String) {
-    let mut command = program(Folder::new().path(), args);
+    let folder = Folder::new();
+    let mut command = program(folder.path(), args);
     command.env_remove("DISPLAY").env_remove("WAYLAND_DISPLAY").env_remove("WAYLAND_SOCKET");
     let output = command.output().unwrap();
     (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())

@@ -78,6 +78,8 @@ pub(crate) enum Command {
     Show(Dialog),
     /// Close what asks or tells.
     CloseDialog,
+    /// Do not show the hints of the first run again.
+    HintsRead,
     /// Take a notice away.
     DismissNotice(u64),
     /// Close the window.

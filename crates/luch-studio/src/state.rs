@@ -23,6 +23,8 @@ pub(crate) struct State {
     pub(crate) preferences: Preferences,
     pub(crate) notices: Notices,
     pub(crate) dialog: Option<Dialog>,
+    /// Whether a person who has not read the hints of the first run is to see them.
+    pub(crate) hints: bool,
     /// Whether there are changes that no picture shows, because live update is off.
     pub(crate) pending: bool,
 }

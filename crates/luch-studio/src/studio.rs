@@ -32,6 +32,8 @@ pub struct Start {
     pub scene: Option<SceneSource>,
     /// The tag of the language to speak, `en` or `ru`; `None`: the one used last, or the system's.
     pub language: Option<String>,
+    /// Whether to greet who opens the window for the first time.
+    pub hints: bool,
 }
 
 /// The window's application.
@@ -66,6 +68,7 @@ impl Studio {
             zoom: crate::command::Zoom::default(),
             notices: Notices::default(),
             dialog: None,
+            hints: start.hints,
             pending: false,
             preferences,
         };
@@ -249,6 +252,7 @@ impl Studio {
             Command::SetZoom(zoom) => self.state.zoom = zoom,
             Command::Show(dialog) => self.state.dialog = Some(dialog),
             Command::CloseDialog => self.state.dialog = None,
+            Command::HintsRead => self.state.preferences.hints_read = true,
             Command::DismissNotice(id) => self.state.notices.dismiss(id),
             Command::Quit => ctx.send_viewport_cmd(ViewportCommand::Close),
         }

@@ -1,5 +1,6 @@
 //! The controls around the picture: menu above, status below, everything else to the right.
 
+mod hints;
 mod lens;
 mod menu;
 mod notices;
@@ -34,6 +35,7 @@ pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
             ui.add_space(8.0);
         });
     });
+    hints::show(ui.ctx(), desk);
     notices::show(ui.ctx(), desk);
 }
 

@@ -91,11 +91,17 @@ pub struct Desk {
 impl Desk {
     /// A fresh studio in a window of 1280 x 800 points, its first picture shown.
     pub fn new(words: Words) -> Self {
-        Self::with_size(words, [1280.0, 800.0], 1.0)
+        Self::start(words, Start::default())
     }
 
-    pub fn with_size(words: Words, size: [f32; 2], pixels_per_point: f32) -> Self {
-        let start = Start { language: Some(words.language.to_owned()), ..Start::default() };
+    /// A studio that starts in some way, in the language of the words.
+    pub fn start(words: Words, start: Start) -> Self {
+        Self::in_window(words, start, [1280.0, 800.0], 1.0)
+    }
+
+    /// The same in a window of another size, in points.
+    pub fn in_window(words: Words, start: Start, size: [f32; 2], pixels_per_point: f32) -> Self {
+        let start = Start { language: Some(words.language.to_owned()), ..start };
         let harness = Harness::builder()
             .with_size(size)
             .with_pixels_per_point(pixels_per_point)

@@ -14,7 +14,7 @@ const COMMANDS: [&str; 4] = ["render", "scenes", "info", "bench"];
 /// # Errors
 /// For a scene that is not there, and where no window can be opened.
 pub(crate) fn run(scene: Option<&Path>) -> Result<(), Failure> {
-    let start = Start { scene: scene.map(find).transpose()?, ..Start::default() };
+    let start = Start { scene: scene.map(find).transpose()?, hints: true, ..Start::default() };
     luch_studio::run(start).map_err(|error| {
         Failure::new(Code::Render, format!("no window can be opened: {error}"))
             .hint("without a display, make pictures with: luch render SCENE -o picture.png")

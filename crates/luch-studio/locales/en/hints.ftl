@@ -1,0 +1,10 @@
+hints-title = Welcome to Luch
+hint-select = Click an object in the picture
+hint-select-how = It is outlined, and its properties open to the right.
+hint-look = Drag in the picture
+hint-look-how = The camera goes around it; the wheel moves it nearer. Home brings it back.
+hint-change = Change anything
+hint-change-how = The picture follows at once. Rest the pointer on a control to read which term of the formula it drives.
+hint-undo = Nothing is lost
+hint-undo-how = Every change can be undone. All keys are listed under Help.
+hints-read = Understood

@@ -21,11 +21,13 @@ mod scene_tree;
 mod shapes;
 mod single;
 mod slabs;
+pub(crate) mod walk;
 
 pub use fearless_simd::Level;
 pub use geometry::{Geometry, ObjectFromWorld, Placement};
 pub use mesh_tree::{MeshStatistics, MeshTree};
 pub use scene_tree::{CostBatch, SceneTree};
+pub use walk::Query;
 
 /// The SIMD levels this machine can run, slowest first, each with the name the command line uses.
 ///

@@ -63,6 +63,11 @@ impl SceneTree {
         self.trace_alone(level, &mut Counted { closest, cost }, &mut (0..groups));
     }
 
+    /// What the tree is over.
+    pub(super) const fn objects(&self) -> &Objects {
+        &self.objects
+    }
+
     fn trace<J: Job>(&self, level: Level, coherence: Coherence, job: &mut J) {
         if coherence == Coherence::Incoherent {
             let groups = job.groups();

@@ -12,11 +12,15 @@ mod recorder;
 mod segment;
 mod sum;
 mod surface;
+mod walk;
 
+pub use crate::accel::Query;
 pub use account::{Blocker, LightSource, PixelAccount, RayAccount, RayEnd, RayKind, SampleAccount, Setting, Spread};
 pub use light::{LightAccount, LightFactors, Visibility};
 pub use segment::Segment;
 pub use surface::{Face, Side, Square, SurfaceAccount};
+pub(crate) use walk::counts;
+pub use walk::{BOX_EDGES, BoxVisit, ShapeTest, Walk, walk};
 
 use crate::compiled::CompiledScene;
 use crate::integrator::classic::Waves;

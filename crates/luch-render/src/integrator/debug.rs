@@ -3,6 +3,8 @@
 use super::{Colors, Integrator, Orders};
 use crate::accel::CostBatch;
 use crate::compiled::CompiledScene;
+use crate::explain::counts;
+use crate::film::heat::heat_of_count;
 use crate::math::ray::{Coherence, HitBatch, RayBatch};
 use crate::shading::surface::SurfaceBatch;
 use crate::simd::shade_at;
@@ -43,6 +45,8 @@ impl Views {
         let half_depth = scene_size(scene);
         for index in 0..rays.len() {
             let color = match (view, self.hits.get(index)) {
+                (Integrator::Nodes, _) => heat_of_count(counts(scene, &rays.get(index))[0]),
+                (Integrator::Triangles, _) => heat_of_count(counts(scene, &rays.get(index))[1]),
                 (Integrator::Cost, _) => cost_color(self.cost.nodes[index], self.cost.primitives[index]),
                 (Integrator::Depth, None) => [0.0; 3],
                 (_, None) => scene.background.to_array(),

@@ -27,11 +27,16 @@ pub enum Integrator {
     Objects,
     /// The work of finding the first hit: boxes visited (red) and shapes tested (green), 64 of either being full.
     Cost,
+    /// The boxes that a ray of its own goes into to find the first hit, on the scale of [`crate::film::heat`].
+    Nodes,
+    /// The triangles and other shapes that such a ray is tested against, on the same scale.
+    Triangles,
 }
 
 impl Integrator {
     /// Every integrator, in the order of help texts.
-    pub const ALL: [Self; 5] = [Self::Classic, Self::Normal, Self::Depth, Self::Objects, Self::Cost];
+    pub const ALL: [Self; 7] =
+        [Self::Classic, Self::Normal, Self::Depth, Self::Objects, Self::Cost, Self::Nodes, Self::Triangles];
 
     /// The word for it on the command line.
     #[must_use]
@@ -42,6 +47,8 @@ impl Integrator {
             Self::Depth => "depth",
             Self::Objects => "objects",
             Self::Cost => "cost",
+            Self::Nodes => "nodes",
+            Self::Triangles => "triangles",
         }
     }
 

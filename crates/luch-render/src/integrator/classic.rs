@@ -94,7 +94,7 @@ impl Waves {
             std::mem::swap(&mut self.mirror, &mut self.next);
         }
         std::mem::swap(&mut self.mirror, rays);
-        self.mix(waves);
+        self.mix(waves, orders.stop)?;
         onlooker.mixed(&self.kept[..waves]);
         if let Some(first) = self.kept.first_mut()
             && waves > 0
@@ -106,8 +106,10 @@ impl Waves {
 
     /// Forgets the waves that only uncommonly deep pictures have.
     pub(crate) fn shrink(&mut self) {
-        self.kept.truncate(KEPT_WAVES);
-        self.kept.shrink_to_fit();
+        if self.kept.len() > KEPT_WAVES {
+            self.kept.truncate(KEPT_WAVES);
+            self.kept.shrink_to_fit();
+        }
     }
 
     /// Traces the rays of `self.mirror` as wave number `number`, leaving its mirror rays in `self.next`; `None` if it was
@@ -162,9 +164,12 @@ impl Waves {
         Some(traced)
     }
 
-    /// Mixes the colours of the waves into those of the first, deepest first.
-    fn mix(&mut self, waves: usize) {
+    /// Mixes the colours of the waves into those of the first, deepest first; `None` if it was stopped.
+    fn mix(&mut self, waves: usize, stop: &dyn Fn() -> bool) -> Option<()> {
         for number in (1..waves).rev() {
+            if stop() {
+                return None;
+            }
             let (upper, lower) = self.kept.split_at_mut(number);
             let (above, below) = (&mut upper[number - 1], &lower[0]);
             for (index, &(parent, reflection)) in above.mirrors.iter().enumerate() {
@@ -173,6 +178,7 @@ impl Waves {
                 above.colors.set(parent as usize, mix);
             }
         }
+        Some(())
     }
 }
 

@@ -1,6 +1,8 @@
 //! What the ray tests share: random numbers and closed meshes.
 #![allow(dead_code, reason = "each test binary uses a part of it")]
 
+pub(crate) mod watched;
+
 use glam::{Mat3, Quat, Vec3};
 use std::collections::HashMap;
 use std::f32::consts::TAU;

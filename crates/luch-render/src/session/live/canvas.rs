@@ -1,7 +1,9 @@
 //! A picture in the making: its tiles, and what the passes made of them so far.
 
+use super::objects::ObjectMap;
 use super::pass::Made;
 use crate::film::Film;
+use crate::math::ray::NO_OBJECT;
 use crate::session::job::Crop;
 use crate::session::scheduler::Scheduler;
 use luch_scene::ImageSize;
@@ -9,6 +11,8 @@ use std::sync::Arc;
 
 /// The tiles of a picture, or of its preview, with the sums of their samples.
 pub(super) struct Canvas {
+    size: ImageSize,
+    shrink: u32,
     extent: Crop,
     plan: Scheduler,
     sums: Vec<Option<Arc<Vec<f32>>>>,
@@ -17,6 +21,8 @@ pub(super) struct Canvas {
 
 /// Side of the tiles, at most: small enough that a cancelled pass ends at once.
 const TILE_SIZE: u32 = 32;
+/// Side of the tiles of small pictures, so that every thread has some.
+const SMALLEST_TILE: u32 = 8;
 /// Tiles for each thread, at least, where the picture has the pixels for it.
 const TILES_A_THREAD: u64 = 8;
 
@@ -27,10 +33,20 @@ impl Canvas {
         let extent = Crop { x: 0, y: 0, width, height };
         let tiles = (threads as u64).saturating_mul(TILES_A_THREAD);
         let fits = |side: &u32| u64::from(width) * u64::from(height) / u64::from(side * side) >= tiles;
-        let side = [TILE_SIZE, TILE_SIZE / 2].into_iter().find(fits).unwrap_or(TILE_SIZE / 4);
+        let side = [TILE_SIZE, TILE_SIZE / 2].into_iter().find(fits).unwrap_or(SMALLEST_TILE);
         let plan = Scheduler::new(extent, side, 1);
         let sums = vec![None; plan.len()];
-        Self { extent, plan, sums, samples: 0 }
+        Self { size, shrink, extent, plan, sums, samples: 0 }
+    }
+
+    /// The tiles that a picture of this size has at most: more threads would find nothing to do.
+    pub(super) fn most_tiles(size: ImageSize) -> usize {
+        size.width().div_ceil(SMALLEST_TILE) as usize * size.height().div_ceil(SMALLEST_TILE) as usize
+    }
+
+    /// Pixels of the picture along the side of the block that each ray stands for.
+    pub(super) const fn shrink(&self) -> u32 {
+        self.shrink
     }
 
     pub(super) const fn width(&self) -> u32 {
@@ -73,6 +89,12 @@ impl Canvas {
             }
         }
         film
+    }
+
+    /// Which object is where.
+    pub(super) fn object_map(&self, made: &[Made]) -> ObjectMap {
+        let objects = self.assemble(NO_OBJECT, made.iter().map(|made| (made.tile, made.objects.as_slice())));
+        ObjectMap::new(self.size, self.shrink, objects)
     }
 
     /// Puts the parts of all tiles together, by rows of the whole.

@@ -3,13 +3,12 @@
 use super::LiveSession;
 use super::canvas::Canvas;
 use super::mailbox::{Asked, LiveRequest, Mail, Mailbox};
-use super::objects::ObjectMap;
-use super::pace::{Kind, Pace};
+use super::objects::{ObjectMap, Sight};
+use super::pace::{Kind, Measured, Pace};
 use super::pass::{Made, Outcome, Pass};
 use super::pool::Pool;
 use super::snapshot::Snapshot;
 use crate::compiled::{CompiledScene, MeshTrees, compile};
-use crate::math::ray::NO_OBJECT;
 use crate::session::queue::message_of;
 use crate::session::worker::View;
 use luch_scene::Scene;
@@ -18,20 +17,24 @@ use std::sync::Arc;
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// How long a picture may go on to its first snapshot though a newer one is wanted.
+/// How long a picture may go on to its first snapshot though a newer one is wanted: two frames of the screen.
 const PATIENCE: Duration = Duration::from_millis(33);
+/// More threads than this are not started, whatever a request says.
+const MAX_THREADS: usize = 1024;
 
 /// Makes a scene ready for rays; tests put theirs in its place.
 pub(super) type Compile = fn(&Scene, &mut MeshTrees, usize) -> CompiledScene;
 
 /// Everything that the session's thread has.
 pub(super) struct Conductor {
-    mailbox: Arc<Mailbox>,
+    pub(super) mailbox: Arc<Mailbox>,
+    pub(super) compile: Compile,
     wake: Box<dyn Fn() + Send + Sync>,
-    compile: Compile,
     trees: MeshTrees,
     /// The scene compiled last.
     ready: Option<(Arc<Scene>, Arc<CompiledScene>)>,
+    /// What the last full picture saw where, while it still holds.
+    sight: Option<Sight>,
     pool: Pool,
     pace: Pace,
 }
@@ -42,7 +45,10 @@ struct Picture {
     compiled: Arc<CompiledScene>,
     kind: Kind,
     threads: usize,
+    /// Until then a newer request is no reason to give it up.
     patience: Instant,
+    /// Whether there was a snapshot.
+    seen: bool,
     objects: Option<Arc<ObjectMap>>,
 }
 
@@ -51,17 +57,14 @@ impl Conductor {
         let cores = thread::available_parallelism().map_or(1, usize::from);
         Self {
             mailbox: Arc::new(Mailbox::new()),
-            wake,
             compile,
+            wake,
             trees: MeshTrees::new(),
             ready: None,
+            sight: None,
             pool: Pool::new(),
             pace: Pace::new(cores),
         }
-    }
-
-    pub(super) const fn mailbox(&self) -> &Arc<Mailbox> {
-        &self.mailbox
     }
 
     /// Serves until the session is dropped.
@@ -74,8 +77,7 @@ impl Conductor {
                 Ok(Err(message)) => message,
                 Err(panic) => {
                     // What was touched may be half done.
-                    self.trees = MeshTrees::new();
-                    self.ready = None;
+                    (self.trees, self.ready, self.sight) = (MeshTrees::new(), None, None);
                     format!("internal error: {}", message_of(panic.as_ref()))
                 }
             };
@@ -92,95 +94,121 @@ impl Conductor {
 
     /// Makes a picture, as far as it is wanted.
     fn picture(&mut self, asked: Asked) -> Result<(), String> {
-        let size = asked.request.job.size;
+        let (size, wanted) = (asked.request.job.size, asked.request.job.rays_per_pixel());
+        let sides = [size.width(), size.height()];
         if size.pixels() > LiveSession::MAX_PIXELS {
-            let (width, height, most) = (size.width(), size.height(), LiveSession::MAX_PIXELS);
-            return Err(format!("a picture of {width}x{height} pixels is too large to be shown: the limit is {most}"));
+            let ([width, height], most) = (sides, LiveSession::MAX_PIXELS);
+            return Err(format!(
+                "a picture of {width}x{height} pixels is too large to be shown as it is made: the limit is {most} pixels"
+            ));
         }
-        asked.progress.begin(size.pixels() * u64::from(asked.request.job.rays_per_pixel()));
-        let compiled = self.compiled(&asked.request);
-        self.mailbox.rendering();
-        let patience = Instant::now() + PATIENCE;
-        let (kind, threads) = (Kind::of(&asked.request), asked.request.job.threads.max(1));
-        let mut picture = Picture { asked, compiled, kind, threads, patience, objects: None };
-        for shrink in self.pace.previews(&picture.kind, [size.width(), size.height()], threads) {
+        let mut picture = self.begin(asked);
+        let (kind, threads) = (picture.kind.clone(), picture.threads);
+        let mut shrink = self.pace.first(&kind, sides, threads);
+        while shrink > 1 {
             let mut canvas = Canvas::new(size, shrink, threads);
-            if self.pass(&mut picture, &mut canvas, shrink, 1)?.is_none() {
+            if self.pass(&mut picture, &mut canvas, 1)?.is_none() {
                 return Ok(());
             }
+            shrink = self.pace.next(&kind, sides, threads, shrink);
         }
-        let mut canvas = Canvas::new(size, 1, threads);
-        let wanted = picture.asked.request.job.rays_per_pixel();
-        let mut samples = 1;
+        let (mut canvas, mut samples) = (Canvas::new(size, 1, threads), 1);
         while canvas.samples() < wanted {
-            let Some(took) = self.pass(&mut picture, &mut canvas, 1, samples)? else { return Ok(()) };
+            let Some(took) = self.pass(&mut picture, &mut canvas, samples)? else { return Ok(()) };
             samples = Pace::samples(canvas.samples(), wanted, (samples, took));
         }
         Ok(())
     }
 
+    /// Makes everything ready for the first ray.
+    fn begin(&mut self, asked: Asked) -> Picture {
+        let LiveRequest { scene, job } = &asked.request;
+        asked.progress.begin(job.size.pixels() * u64::from(job.rays_per_pixel()));
+        let tiles = Canvas::most_tiles(job.size);
+        let threads = job.threads.clamp(1, MAX_THREADS.min(tiles));
+        let compiled = self.compiled(scene, threads);
+        self.sight = self.sight.take().and_then(|sight| sight.through(&asked.request));
+        self.pool.resize(threads);
+        self.mailbox.rendering();
+        Picture {
+            kind: Kind::of(&asked.request),
+            asked,
+            compiled,
+            threads,
+            patience: Instant::now() + PATIENCE,
+            seen: false,
+            objects: self.sight.as_ref().map(|sight| Arc::clone(sight.map())),
+        }
+    }
+
     /// The scene, ready for rays.
-    fn compiled(&mut self, request: &LiveRequest) -> Arc<CompiledScene> {
-        if let Some((scene, compiled)) = &self.ready
-            && Arc::ptr_eq(scene, &request.scene)
+    fn compiled(&mut self, scene: &Arc<Scene>, threads: usize) -> Arc<CompiledScene> {
+        if let Some((known, compiled)) = &self.ready
+            && Arc::ptr_eq(known, scene)
         {
             return Arc::clone(compiled);
         }
-        // The scene before is let go first, and with it the meshes that nobody else has.
+        // The scene before is let go first, and with it the trees of meshes that nobody else has.
         self.ready = None;
         self.trees.keep_living();
-        let compiled = Arc::new((self.compile)(&request.scene, &mut self.trees, request.job.threads.max(1)));
-        self.ready = Some((Arc::clone(&request.scene), Arc::clone(&compiled)));
+        let compiled = Arc::new((self.compile)(scene, &mut self.trees, threads));
+        self.ready = Some((Arc::clone(scene), Arc::clone(&compiled)));
         compiled
     }
 
-    /// Makes one pass and publishes what it made. Answers with its time; `None` if it is not wanted any more.
-    fn pass(
-        &mut self,
-        picture: &mut Picture,
-        canvas: &mut Canvas,
-        shrink: u32,
-        samples: u32,
-    ) -> Result<Option<Duration>, String> {
-        let job = &picture.asked.request.job;
-        let preview = shrink > 1;
-        let pass = Pass {
-            scene: Arc::clone(&picture.compiled),
-            view: if preview { View::of_blocks(job, shrink) } else { View::of(job) },
-            plan: canvas.plan(samples),
-            before: canvas.sums(),
-            objects: canvas.samples() == 0,
-            progress: Arc::clone(&picture.asked.progress),
-            counts: !preview,
-            mailbox: Arc::clone(&self.mailbox),
-            patience: picture.patience,
-        };
+    /// Makes the next `samples` samples of the canvas and publishes it. Answers with the time of the pass; `None` if the
+    /// picture is not wanted any more.
+    fn pass(&mut self, picture: &mut Picture, canvas: &mut Canvas, samples: u32) -> Result<Option<Duration>, String> {
+        let objects = picture.objects.as_ref().is_none_or(|map| map.shrink() > 1);
+        let pass = picture.pass(canvas, samples, objects, &self.mailbox);
         let Outcome { made, whole, took } = pass.run(&mut self.pool, picture.threads).map_err(|e| e.to_string())?;
-        let pixels: u64 = made.iter().map(|made| made.pixels.len() as u64).sum();
-        self.pace.learn(&picture.kind, preview, pixels * u64::from(samples), picture.threads, took, whole);
+        // A pass that was cut short for a newer request says nothing, unless it had its time.
+        if whole || Instant::now() >= picture.patience && !picture.seen {
+            let rays = made.iter().map(|made| made.pixels.len() as u64).sum::<u64>() * u64::from(samples);
+            let preview = canvas.shrink() > 1;
+            self.pace.learn(&picture.kind, Measured { preview, rays, threads: picture.threads, took, whole });
+        }
         if !whole {
             return Ok(None);
         }
         canvas.take(&made, samples);
-        let snapshot = picture.snapshot(canvas, shrink, &made);
-        drop(made);
-        if !self.mailbox.publish(snapshot) {
+        if objects {
+            let map = Arc::new(canvas.object_map(&made));
+            if map.shrink() == 1 {
+                self.sight = Some(Sight::new(&picture.asked.request, Arc::clone(&map)));
+            }
+            picture.objects = Some(map);
+        }
+        if !self.mailbox.publish(picture.snapshot(canvas, &made)) {
             return Ok(None);
         }
         // It has been seen: from now on newer ones come first.
-        picture.patience = picture.asked.at;
+        (picture.seen, picture.patience) = (true, picture.asked.at);
+        drop(made);
         self.tell();
         Ok(Some(took))
     }
 }
 
 impl Picture {
-    fn snapshot(&mut self, canvas: &Canvas, shrink: u32, made: &[Made]) -> Snapshot {
-        let LiveRequest { scene, job } = &self.asked.request;
-        if canvas.samples() == 1 || self.objects.is_none() {
-            let objects = canvas.assemble(NO_OBJECT, made.iter().map(|made| (made.tile, made.objects.as_slice())));
-            self.objects = Some(Arc::new(ObjectMap::new(job.size, shrink, objects)));
+    fn pass(&self, canvas: &Canvas, samples: u32, objects: bool, mailbox: &Arc<Mailbox>) -> Pass {
+        let (job, shrink) = (&self.asked.request.job, canvas.shrink());
+        Pass {
+            scene: Arc::clone(&self.compiled),
+            view: if shrink > 1 { View::of_blocks(job, shrink) } else { View::of(job) },
+            plan: canvas.plan(samples),
+            before: canvas.sums(),
+            objects,
+            progress: Arc::clone(&self.asked.progress),
+            counts: shrink == 1,
+            mailbox: Arc::clone(mailbox),
+            patience: self.patience,
         }
+    }
+
+    fn snapshot(&self, canvas: &Canvas, made: &[Made]) -> Snapshot {
+        let LiveRequest { scene, job } = &self.asked.request;
+        let shrink = canvas.shrink();
         Snapshot {
             epoch: self.asked.epoch,
             scene: Arc::clone(scene),

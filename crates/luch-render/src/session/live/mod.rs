@@ -17,6 +17,8 @@ mod pass;
 mod pick;
 mod pool;
 mod snapshot;
+#[cfg(test)]
+mod tests;
 
 pub use mailbox::{Epoch, LiveEnd, LivePhase, LiveRequest, LiveStatus};
 pub use objects::ObjectMap;
@@ -56,7 +58,7 @@ impl LiveSession {
     }
 
     fn start_with(mut conductor: Conductor) -> io::Result<Self> {
-        let mailbox = Arc::clone(conductor.mailbox());
+        let mailbox = Arc::clone(&conductor.mailbox);
         let thread = thread::Builder::new().name("luch-session".to_owned()).spawn(move || conductor.run())?;
         Ok(Self { mailbox, thread: Some(thread) })
     }

@@ -1,8 +1,10 @@
 //! Which object is where in a picture.
 
+use super::mailbox::LiveRequest;
 use crate::math::ray::NO_OBJECT;
-use luch_scene::ImageSize;
+use luch_scene::{Camera, ImageSize, Object, Scene};
 use std::fmt;
+use std::sync::Arc;
 
 /// The object at each pixel of a picture: what the ray through the pixel's centre, from the centre of the lens, meets
 /// first.
@@ -55,4 +57,35 @@ impl fmt::Debug for ObjectMap {
         let Self { size, shrink, .. } = self;
         f.debug_struct("ObjectMap").field("size", size).field("shrink", shrink).finish_non_exhaustive()
     }
+}
+
+/// The map of a full picture, with what it depends on: it holds for the next picture too if only looks have changed.
+pub(super) struct Sight {
+    scene: Arc<Scene>,
+    camera: Camera,
+    map: Arc<ObjectMap>,
+}
+
+impl Sight {
+    pub(super) fn new(request: &LiveRequest, map: Arc<ObjectMap>) -> Self {
+        Self { scene: Arc::clone(&request.scene), camera: request.job.camera.clone(), map }
+    }
+
+    pub(super) const fn map(&self) -> &Arc<ObjectMap> {
+        &self.map
+    }
+
+    /// The same for another request, if its objects stand where they stood and are seen as they were.
+    pub(super) fn through(self, request: &LiveRequest) -> Option<Self> {
+        let (old, new) = (&self.camera, &request.job.camera);
+        let same_view = old.position == new.position && old.aim == new.aim && old.fov == new.fov;
+        let holds = same_view && self.map.size == request.job.size && same_shapes(&self.scene, &request.scene);
+        holds.then(|| Self::new(request, self.map))
+    }
+}
+
+/// Whether two scenes have the same shapes in the same order. Meshes are compared by identity.
+fn same_shapes(a: &Arc<Scene>, b: &Arc<Scene>) -> bool {
+    let same = |(a, b): (&Object, &Object)| a.hidden == b.hidden && (a.hidden || a.shape == b.shape);
+    Arc::ptr_eq(a, b) || (a.objects.len() == b.objects.len() && a.objects.iter().zip(&b.objects).all(same))
 }

@@ -41,16 +41,16 @@ impl Pool {
         Self { shared: Arc::new(shared), helpers: Vec::new(), own: Worker::default() }
     }
 
-    /// Does the work on `threads` threads, this one included, and waits for all. If the system gives fewer, those do it.
+    /// Does the work on at most `threads` threads of the pool, this one included, and waits for all.
     pub(super) fn run(&mut self, threads: usize, work: Arc<Work>) {
-        self.resize(threads.saturating_sub(1));
-        if !self.helpers.is_empty() {
+        let seats = self.helpers.len().min(threads.saturating_sub(1));
+        if seats > 0 {
             let mut state = lock(&self.shared.state);
             state.work = Some(Arc::clone(&work));
             state.number += 1;
-            state.seats = self.helpers.len();
+            state.seats = seats;
             drop(state);
-            self.shared.go.notify_all();
+            (0..seats).for_each(|_| self.shared.go.notify_one());
         }
         if !work(&mut self.own) {
             self.own = Worker::default();
@@ -65,8 +65,9 @@ impl Pool {
         }
     }
 
-    /// Starts or ends helpers.
-    fn resize(&mut self, helpers: usize) {
+    /// Makes it a pool of `threads` threads, the session's own included, or of as many as the system gives.
+    pub(super) fn resize(&mut self, threads: usize) {
+        let helpers = threads.saturating_sub(1);
         if helpers < self.helpers.len() {
             lock(&self.shared.state).helpers = helpers;
             self.shared.go.notify_all();

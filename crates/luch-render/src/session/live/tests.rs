@@ -1,0 +1,154 @@
+//! What happens when something goes wrong, and when the owner goes away.
+
+use super::*;
+use crate::compiled::{CompiledScene, MeshTrees, compile};
+use crate::session::RenderJob;
+use luch_scene::{Aim, Camera, ImageSize, Light, Object, Point, Scene, Shape, Size, Unit};
+use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
+use std::sync::{Mutex, Weak};
+use std::time::{Duration, Instant};
+
+const HUNG: Duration = Duration::from_secs(60);
+
+/// A ball between two mirrors.
+fn request(name: &str, side: u32) -> LiveRequest {
+    let mut scene = Scene::new(name);
+    let ball = Shape::Sphere { center: Point::ORIGIN, radius: Size::ONE };
+    scene.objects.push(Object::new("Ball", ball));
+    scene.objects[0].material.reflection = Unit::new(0.5).unwrap();
+    scene.lights.push(Light::new("Lamp", Point::clamped([3.0, 4.0, 5.0].into())));
+    scene.cameras.push(Camera::new("Camera", Point::clamped([0.0, 0.0, 5.0].into()), Aim::At(Point::ORIGIN)));
+    let mut job = RenderJob::of_scene(&scene, 0);
+    job.size = ImageSize::new(side, side).unwrap();
+    job.threads = 3;
+    LiveRequest { scene: Arc::new(scene), job }
+}
+
+/// Compiles a scene, but panics for one called "bad", and for one called "broken" gives one that breaks the workers.
+fn sabotaged(scene: &Scene, trees: &mut MeshTrees, threads: usize) -> CompiledScene {
+    assert_ne!(scene.name, "bad");
+    let mut compiled = compile(scene, trees, threads);
+    if scene.name == "broken" {
+        compiled.objects.clear();
+    }
+    compiled
+}
+
+fn bell() -> (SyncSender<()>, Receiver<()>) {
+    sync_channel(1)
+}
+
+fn ringing(bell: SyncSender<()>) -> impl Fn() + Send + Sync {
+    move || {
+        // A bell that is ringing already need not be rung.
+        let _ = bell.try_send(());
+    }
+}
+
+fn end_of(session: &LiveSession, bell: &Receiver<()>, epoch: Epoch) -> LiveEnd {
+    let start = Instant::now();
+    loop {
+        let status = session.status();
+        if let (true, Some(end)) = (status.epoch == epoch, status.ended) {
+            assert_eq!(status.phase, LivePhase::Idle);
+            return end;
+        }
+        assert!(bell.recv_timeout(HUNG.saturating_sub(start.elapsed())).is_ok(), "hangs: {session:?}");
+    }
+}
+
+#[test]
+fn a_panic_becomes_a_failure_and_the_next_picture_is_made() {
+    let (ring, bell) = bell();
+    let mut conductor = Conductor::new(Box::new(ringing(ring)));
+    conductor.compile = sabotaged;
+    let session = LiveSession::start_with(conductor).unwrap();
+    for _ in 0..3 {
+        for (name, says) in [("bad", "internal error: assertion"), ("broken", "internal error in the tile")] {
+            let epoch = session.show(request(name, 100));
+            let LiveEnd::Failed(message) = end_of(&session, &bell, epoch) else { panic!("{name}: no failure") };
+            assert!(message.starts_with(says), "{message}");
+            let epoch = session.show(request("good", 100));
+            assert_eq!(end_of(&session, &bell, epoch), LiveEnd::Finished);
+            let snapshot = session.latest().unwrap();
+            assert!(snapshot.epoch == epoch && snapshot.finished);
+        }
+    }
+}
+
+#[test]
+fn a_wake_that_panics_does_not_end_the_session() {
+    let (ring, bell) = bell();
+    let session = LiveSession::start(move || {
+        let _ = ring.try_send(());
+        panic!("the owner's bug");
+    })
+    .unwrap();
+    for side in [10, 20] {
+        let epoch = session.show(request("good", side));
+        assert_eq!(end_of(&session, &bell, epoch), LiveEnd::Finished);
+    }
+}
+
+#[test]
+fn the_last_owner_may_be_wake_itself() {
+    let (tell, told) = sync_channel(1);
+    let own: Arc<Mutex<Option<LiveSession>>> = Arc::default();
+    let within = Arc::clone(&own);
+    let session = LiveSession::start(move || {
+        let session = within.lock().unwrap().take();
+        let ended = session.is_some();
+        // Here the session is dropped, on its own thread.
+        drop(session);
+        if ended {
+            tell.send(()).unwrap();
+        }
+    })
+    .unwrap();
+    let mut slot = own.lock().unwrap();
+    session.show(request("good", 10));
+    *slot = Some(session);
+    drop(slot);
+    told.recv_timeout(HUNG).expect("it hangs");
+}
+
+#[test]
+fn a_dropped_session_leaves_no_thread_and_no_memory() {
+    for side in [1, 60, 400] {
+        let counted = Arc::new(());
+        let held = Arc::clone(&counted);
+        let session = LiveSession::start(move || {
+            let _ = &held;
+        })
+        .unwrap();
+        let mut wanted = request("good", side);
+        wanted.job.antialiasing = luch_scene::Sampling { on: true, rays: luch_scene::RayCount::new(4096).unwrap() };
+        let scene = Arc::downgrade(&wanted.scene);
+        session.show(wanted);
+        if side == 60 {
+            session.stop();
+        }
+        drop(session);
+        assert_eq!(Arc::strong_count(&counted), 1, "the thread is gone, and with it its bell");
+        assert_eq!(Weak::strong_count(&scene), 0, "nobody holds the scene");
+    }
+}
+
+#[test]
+fn what_is_idle_says_so() {
+    let (ring, bell) = bell();
+    let session = LiveSession::start(ringing(ring)).unwrap();
+    let status = session.status();
+    assert_eq!((status.epoch.get(), status.phase, status.ended), (0, LivePhase::Idle, None));
+    session.stop();
+    assert!(session.latest().is_none());
+    let epoch = session.show(request("good", 10));
+    assert_eq!(epoch.get(), 1);
+    assert_ne!(session.status().phase, LivePhase::Idle, "{:?}", session.status());
+    assert_eq!(end_of(&session, &bell, epoch), LiveEnd::Finished);
+    let status = session.status();
+    assert_eq!((status.done, status.total), (100, 100));
+    assert!(status.rays >= 100 && status.elapsed == session.status().elapsed, "the clock stands");
+    session.stop();
+    assert_eq!(session.status().ended, Some(LiveEnd::Finished), "what is finished cannot be stopped");
+}

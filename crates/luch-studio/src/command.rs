@@ -56,6 +56,8 @@ pub(crate) enum Command {
     ChooseCamera(usize),
     /// Look from elsewhere; `None`: from where the camera stands.
     SetPose(Option<Pose>),
+    /// Look from where all of the selection is in the picture, or all of the scene.
+    Frame,
     /// Make the scene's camera stand where the view is.
     StorePose,
     /// Start the picture, with all changes that wait for it.
@@ -109,6 +111,7 @@ impl Command {
             Self::Select(None),
             Self::Render,
             Self::Cancel,
+            Self::Frame,
             Self::SetPose(None),
             Self::SetZoom(Zoom::Fit),
             Self::SetZoom(Zoom::Factor(1.0)),
@@ -129,6 +132,7 @@ impl Command {
             Self::Select(None) => plain(Key::Escape),
             Self::Render => plain(Key::F5),
             Self::Cancel => KeyboardShortcut::new(Modifiers::SHIFT, Key::F5),
+            Self::Frame => plain(Key::F),
             Self::SetPose(None) => plain(Key::Home),
             Self::SetZoom(Zoom::Fit) => ctrl(Key::Num0),
             Self::SetZoom(Zoom::Factor(_)) => ctrl(Key::Num1),
@@ -150,6 +154,7 @@ impl Command {
             Self::Select(_) => texts.command_select_nothing(),
             Self::Render => texts.command_render(),
             Self::Cancel => texts.command_cancel(),
+            Self::Frame => texts.command_frame(),
             Self::SetPose(_) => texts.command_return_to_camera(),
             Self::StorePose => texts.command_store_pose(),
             Self::SetZoom(Zoom::Fit) => texts.command_zoom_fit(),

@@ -2,7 +2,8 @@
 
 use crate::command::Command;
 use crate::state::Desk;
-use egui::{Context, Modifiers};
+use crate::viewport;
+use egui::{Context, Key, Modifiers};
 
 pub(crate) fn take(ctx: &Context, desk: &mut Desk<'_>) {
     if desk.state.dialog.is_some() {
@@ -15,12 +16,28 @@ pub(crate) fn take(ctx: &Context, desk: &mut Desk<'_>) {
         if typing && shortcut.modifiers == Modifiers::NONE && !is_function_key(shortcut.logical_key) {
             continue;
         }
+        // Escape takes back what is being dragged, and only that.
+        if command == Command::Select(None) && viewport::is_dragging(ctx) {
+            continue;
+        }
         if ctx.input_mut(|i| i.consume_shortcut(&shortcut)) {
             desk.send(command);
         }
     }
+    if !typing {
+        let cameras = desk.scene().cameras.len();
+        for (index, key) in CAMERAS.into_iter().enumerate().take(cameras) {
+            if ctx.input_mut(|i| i.consume_key(Modifiers::NONE, key)) {
+                desk.send(Command::ChooseCamera(index));
+            }
+        }
+    }
 }
 
-fn is_function_key(key: egui::Key) -> bool {
+/// The keys of the first nine cameras.
+const CAMERAS: [Key; 9] =
+    [Key::Num1, Key::Num2, Key::Num3, Key::Num4, Key::Num5, Key::Num6, Key::Num7, Key::Num8, Key::Num9];
+
+fn is_function_key(key: Key) -> bool {
     key.name().starts_with('F') && key.name().len() > 1
 }

@@ -99,6 +99,12 @@ impl Studio {
         self.state.scene()
     }
 
+    /// The camera that is looked through, where the mouse has moved it.
+    #[must_use]
+    pub fn camera(&self) -> Option<Camera> {
+        self.state.camera()
+    }
+
     /// The name of what is selected.
     #[must_use]
     pub fn selected(&self) -> Option<&str> {
@@ -218,6 +224,12 @@ impl Studio {
             Command::SetPose(pose) => {
                 self.state.view.pose = pose;
                 self.changed();
+            }
+            Command::Frame => {
+                if let Some(pose) = self.state.view.framing(self.state.scene(), self.state.selection) {
+                    self.state.view.pose = Some(pose);
+                    self.changed();
+                }
             }
             Command::StorePose => {
                 if let Some(edit) = self.state.view.store() {

@@ -19,20 +19,32 @@ pub(super) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
         let shortcut = command.shortcut()?;
         Some((ui.ctx().format_shortcut(&shortcut), command.label(texts)))
     });
-    let keys: Vec<_> = keys.collect();
-    ScrollArea::vertical().max_height(460.0).show(ui, |ui| {
-        for (title, rows) in [(texts.shortcuts_mouse(), mouse.to_vec()), (texts.shortcuts_keys(), keys)] {
-            ui.strong(title);
-            egui::Grid::new(("shortcuts", rows.len())).num_columns(2).striped(true).spacing([24.0, 3.0]).show(
-                ui,
-                |ui| {
+    let keys: Vec<_> = keys.chain([(texts.key_cameras(), texts.key_cameras_does())]).collect();
+    let keys_of_picture = vec![
+        (texts.key_orbit(), texts.key_orbit_does()),
+        (texts.key_pan(), texts.key_pan_does()),
+        (texts.key_dolly(), texts.key_dolly_does()),
+    ];
+    let parts = [
+        (texts.shortcuts_mouse(), mouse.to_vec()),
+        (texts.shortcuts_keys(), keys),
+        (texts.shortcuts_keys_of_picture(), keys_of_picture),
+    ];
+    ScrollArea::vertical().max_height(460.0).auto_shrink([false, true]).show(ui, |ui| {
+        for (title, rows) in parts {
+            ui.strong(&title);
+            egui::Grid::new(("shortcuts", title))
+                .num_columns(2)
+                .min_col_width(170.0)
+                .striped(true)
+                .spacing([24.0, 3.0])
+                .show(ui, |ui| {
                     for (key, does) in rows {
                         ui.label(key);
                         ui.label(does);
                         ui.end_row();
                     }
-                },
-            );
+                });
             ui.add_space(8.0);
         }
     });

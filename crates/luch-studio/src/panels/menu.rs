@@ -29,6 +29,7 @@ pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
             item(ui, desk, Command::SetZoom(Zoom::Fit), true);
             item(ui, desk, Command::SetZoom(Zoom::Factor(1.0)), true);
             ui.separator();
+            item(ui, desk, Command::Frame, true);
             item(ui, desk, Command::SetPose(None), desk.state.view.pose.is_some());
             item(ui, desk, Command::StorePose, desk.state.view.pose.is_some());
             ui.separator();

@@ -1,6 +1,7 @@
 //! From points of the window to pixels of the picture and back, and from the scene to the window.
 
-use egui::{Pos2, Rect, vec2};
+use crate::view::slope_of;
+use egui::{Pos2, Rect, Vec2, vec2};
 use glam::Vec3;
 use luch_scene::{Camera, ImageSize};
 
@@ -18,8 +19,7 @@ pub(super) struct PictureFrame {
 
 impl PictureFrame {
     pub(super) fn new(rect: Rect, camera: &Camera, size: ImageSize) -> Self {
-        let reach = (f64::from(camera.fov.get()).to_radians() * 0.5).tan() as f32;
-        Self { rect, size, eye: camera.position.get(), axes: camera.frame(), reach }
+        Self { rect, size, eye: camera.position.get(), axes: camera.frame(), reach: slope_of(camera) as f32 }
     }
 
     /// The pixel at a point of the window.
@@ -37,6 +37,17 @@ impl PictureFrame {
     pub(super) fn point_of_pixel(&self, x: f32, y: f32) -> Pos2 {
         let size = self.rect.size() / vec2(self.size.width() as f32, self.size.height() as f32);
         self.rect.min + vec2(x, y) * size
+    }
+
+    /// How far to the right and up a point of the window is seen, at distance 1.
+    pub(super) fn slope_at(&self, at: Pos2) -> [f64; 2] {
+        self.slope_of_points(at - self.rect.center())
+    }
+
+    /// The same for a way in the window.
+    pub(super) fn slope_of_points(&self, way: Vec2) -> [f64; 2] {
+        let scale = 2.0 * f64::from(self.reach) / f64::from(self.rect.height());
+        [f64::from(way.x) * scale, -f64::from(way.y) * scale]
     }
 
     /// Where a place in the scene is seen; `None` behind the camera.
@@ -72,6 +83,17 @@ mod tests {
         assert_eq!(frame.pixel_at(Pos2::new(99.9, 100.0)), None);
         assert_eq!(frame.pixel_at(Pos2::new(f32::NAN, 100.0)), None);
         assert_eq!(frame.point_of_pixel(400.0, 300.0), Pos2::new(300.0, 200.0));
+    }
+
+    #[test]
+    fn slopes_are_those_of_the_field_of_view() {
+        let frame = frame();
+        let [right, up] = frame.slope_at(Pos2::new(500.0, 50.0));
+        let tall = f64::from(0.414_213_56_f32);
+        assert!((up - tall).abs() < 1e-6 && (right - tall * 4.0 / 3.0).abs() < 1e-6, "{right} {up}");
+        let [right, up] = frame.slope_at(Pos2::new(200.0, 250.0));
+        let seen = frame.project(Vec3::new(right as f32 * 5.0, up as f32 * 5.0, 0.0)).unwrap();
+        assert!((seen - Pos2::new(200.0, 250.0)).length() < 1e-3, "{seen:?}");
     }
 
     #[test]

@@ -3,16 +3,20 @@
 mod canvas;
 mod frame;
 mod lights;
+mod lookup;
+mod navigation;
 mod outline;
 mod toolbar;
+mod wheel;
 
 use crate::command::{Command, Tool};
 use crate::selection::Part;
 use crate::state::Desk;
 use canvas::Canvas;
-use egui::{CentralPanel, Color32, Context, Frame, Id, Painter, Rect, Response, Sense, Ui, pos2};
+use egui::{CentralPanel, Color32, Context, Frame, Id, Painter, Rect, Response, Sense, StrokeKind, Ui, pos2};
 use frame::PictureFrame;
 use luch_render::session::live::{Snapshot, pick};
+use navigation::Navigation;
 use std::sync::Arc;
 
 /// Shows the picture in what the panels have left of the window.
@@ -41,15 +45,31 @@ pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
         );
         painter.image(texture, rect, Rect::from_min_max(pos2(0.0, 0.0), shown), Color32::WHITE);
 
-        let under = response.hover_pos().and_then(|at| part_at(at, &frame, &snapshot, desk));
+        let mut navigation = Navigation::load(ui.ctx());
+        navigation.take_input(ui, &response, &frame, &snapshot, desk);
+        // What passes under the pointer while the view moves is not pointed at.
+        let pointed_at = response.hover_pos().filter(|_| !navigation.is_dragging());
+        let under = pointed_at.and_then(|at| part_at(at, &frame, &snapshot, desk));
         set_under_pointer(ui.ctx(), under);
         draw_marks(&painter, &frame, &snapshot, desk, under);
-        if response.clicked() && desk.state.tool == Tool::Select {
-            response.request_focus();
-            desk.send(Command::Select(under));
+        if response.has_focus() {
+            painter.rect_stroke(area, 0.0, ui.visuals().selection.stroke, StrokeKind::Inside);
         }
+        // A key that presses what has the focus is no click on a place.
+        if response.clicked() && response.interact_pointer_pos().is_some() {
+            response.request_focus();
+            if desk.state.tool == Tool::Select {
+                desk.send(Command::Select(under));
+            }
+        }
+        navigation.store(ui.ctx());
         canvas.store(ui.ctx());
     });
+}
+
+/// Whether a drag in the picture is going on that Escape takes back.
+pub(crate) fn is_dragging(ctx: &Context) -> bool {
+    Navigation::load(ctx).is_dragging()
 }
 
 /// Outlines of what is selected and pointed at, and the lamps.
@@ -71,9 +91,7 @@ fn part_at(at: egui::Pos2, frame: &PictureFrame, snapshot: &Snapshot, desk: &Des
     }
     let [x, y] = frame.pixel_at(at)?;
     let object = pick(&snapshot.compiled, &snapshot.job, x, y)?.object;
-    // The picture may be older than the scene: the name says which object it is now.
-    let name = &snapshot.scene.objects.get(object)?.name;
-    desk.scene().object_named(name).map(Part::Object)
+    lookup::same_object(&snapshot.scene, object, desk.scene()).map(Part::Object)
 }
 
 /// A neutral grey around the picture, so that no colour beside it deceives the eye.

@@ -41,9 +41,7 @@ pub(super) fn draw(
 ) {
     let Part::Object(index) = part else { return };
     let Some(map) = &snapshot.objects else { return };
-    // The picture may be older than the scene: the name says which object it was then.
-    let Some(object) = desk.scene().objects.get(index) else { return };
-    let Some(index) = snapshot.scene.object_named(&object.name) else { return };
+    let Some(index) = super::lookup::same_object(desk.scene(), index, &snapshot.scene) else { return };
     let loops = traced(painter, map, index, strength);
     let scale = [
         snapshot.job.size.width() as f32 / map.width() as f32,

@@ -12,7 +12,8 @@ use luch_render::{
 use luch_scene::{ImageSize, NonNegative, Scene, Shading};
 use luch_verify::{built_in, built_in_ids, hash, job, picture, sampling, scenes};
 use std::sync::Arc;
-use support::watched::Watched;
+use std::sync::mpsc::sync_channel;
+use support::watched::{HUNG, Watched};
 
 /// The built-in scenes and one of everything, with lenses that are open.
 fn scenes() -> Vec<Arc<Scene>> {
@@ -77,6 +78,48 @@ fn an_interrupted_picture_that_is_asked_for_again_has_the_same_bits() {
         let snapshot = watched.finished(&request);
         assert_eq!(linear_hash(&snapshot.linear().unwrap()), truth, "{}", scene.name);
     }
+}
+
+#[test]
+fn a_preview_shows_the_pixels_in_the_middle_of_its_blocks() {
+    let scene = Arc::new(built_in("knight"));
+    let mut job = job(&scene, 0, [1280, 720], 16);
+    job.threads = 1;
+    // The session waits with the next picture until this one is taken.
+    let (ring, bell) = sync_channel(0);
+    let wake = move || {
+        // Nobody takes anything any more once the preview is taken.
+        let _ = ring.send(());
+    };
+    let session = LiveSession::start(wake).unwrap();
+    // The first picture of a session is a careful one.
+    let epoch = session.show(LiveRequest { scene: Arc::clone(&scene), job: job.clone() });
+    bell.recv_timeout(HUNG).expect("the session lives");
+    let preview = session.latest().unwrap();
+    session.stop();
+    drop(bell);
+    assert!(preview.epoch == epoch && preview.shrink % 2 == 1 && preview.shrink > 1, "{preview:?}");
+    assert!(preview.linear().is_none() && !preview.finished && preview.samples == 1);
+    let (shrink, [across, down]) = (preview.shrink, preview.extent());
+    assert!((across * (preview.width * shrink) as f32 - 1280.0).abs() < 1e-3);
+    assert!((down * (preview.height * shrink) as f32 - 720.0).abs() < 1e-3);
+    // Neither antialiasing nor the lens spreads its rays.
+    job.antialiasing = sampling(1);
+    let full = srgb8(&picture(&scene, &job));
+    let map = preview.objects.as_ref().unwrap();
+    let (mut same, mut seen) = (0, 0);
+    for y in (shrink / 2..720).step_by(shrink as usize) {
+        for x in (shrink / 2..1280).step_by(shrink as usize) {
+            let block = (y / shrink * preview.width + x / shrink) as usize;
+            let pixel = (y * 1280 + x) as usize;
+            let near = |channel: usize| preview.pixels[block][channel].abs_diff(full[pixel * 3 + channel]) <= 1;
+            let object = pick(&preview.compiled, &job, x, y).map(|pick| pick.object);
+            seen += 1;
+            same += usize::from((0..3).all(near) && map.at(x, y) == object);
+        }
+    }
+    // Rays that differ in their last bit may see another side of an edge.
+    assert!(same * 1000 >= seen * 995, "{same} of {seen}");
 }
 
 #[test]

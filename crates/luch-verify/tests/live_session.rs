@@ -8,8 +8,9 @@ use luch_render::{
 use luch_scene::{Color, ImageSize, Point, Scene, Shading, Shape, Unit};
 use luch_verify::{built_in, job, sampling, scenes};
 use std::sync::{Arc, Weak};
+use std::time::Instant;
 use support::Random;
-use support::watched::Watched;
+use support::watched::{HUNG, Watched};
 
 const SEQUENCES: u32 = 500;
 const STEPS: usize = 30;
@@ -26,7 +27,8 @@ struct Hand<'a> {
     asked: Vec<(Epoch, LiveRequest)>,
     /// The newest epoch seen, and how far it was.
     seen: (Epoch, u32),
-    stopped: Epoch,
+    /// The newest request that was stopped, and what was shown then.
+    stopped: (Epoch, Option<Arc<Snapshot>>),
 }
 
 impl Hand<'_> {
@@ -40,14 +42,16 @@ impl Hand<'_> {
             8 => self.job.threads = [1, 2, 3, 8][self.random.below(4)],
             9 => {
                 self.watched.session.stop();
-                self.stopped = self.asked.last().map_or(self.stopped, |(epoch, _)| *epoch);
+                if let Some((epoch, _)) = self.asked.last() {
+                    self.stopped = (*epoch, self.watched.session.latest());
+                }
                 return self.look();
             }
             10 => self.job.antialiasing = sampling([1, 1, 3, 4096][self.random.below(4)]),
             _ => {
                 // Wait for something to be seen of the newest request.
                 if let Some((newest, _)) = self.asked.last()
-                    && *newest > self.stopped
+                    && *newest > self.stopped.0
                 {
                     let newest = *newest;
                     self.watched.until(|session| session.latest().filter(|s| s.epoch == newest));
@@ -121,6 +125,10 @@ impl Hand<'_> {
             assert!(self.asked.first().is_none_or(|(first, _)| snapshot.epoch < *first), "of the sequence before");
             return;
         };
+        if snapshot.epoch <= self.stopped.0 {
+            let last = self.stopped.1.as_ref().expect("it was shown before it was stopped");
+            assert!(Arc::ptr_eq(&snapshot, last), "what was stopped goes on: {snapshot:?}");
+        }
         let samples = if snapshot.shrink == 1 { snapshot.samples } else { 0 };
         assert!((snapshot.epoch, samples) >= self.seen, "{snapshot:?} after {:?}", self.seen);
         self.seen = (snapshot.epoch, samples);
@@ -143,8 +151,9 @@ impl Hand<'_> {
         let snapshot = self.watched.session.latest().unwrap();
         assert!(snapshot.epoch == epoch && snapshot.finished);
         let compiled = compile(&request.scene, &mut MeshTrees::new(), 1);
-        let film = render(&compiled, &request.job, &Progress::new()).unwrap();
-        assert!(snapshot.linear().unwrap() == film.linear(), "{epoch:?}: {}", request.scene.name);
+        let linear = render(&compiled, &request.job, &Progress::new()).unwrap().linear();
+        assert!(snapshot.linear().unwrap() == linear, "{epoch:?}: {}", request.scene.name);
+        assert!(linear.iter().all(|value| value.is_finite()), "{epoch:?}: {}", request.scene.name);
         assert_map(&snapshot, &compiled);
     }
 }
@@ -183,7 +192,7 @@ fn random_hands_find_no_deadlock_no_stale_frame_and_no_growth() {
         let mut job = job(&scene, 0, [48, 36], 1);
         job.depth = 3;
         let (undo, asked) = (Vec::new(), Vec::new());
-        let (seen, stopped) = (<(Epoch, u32)>::default(), Epoch::default());
+        let (seen, stopped) = Default::default();
         let random = Random(seed.wrapping_mul(0x9e37_79b9));
         let mut hand = Hand { random, watched: &watched, start: &start, scene, job, undo, asked, seen, stopped };
         for _ in 0..STEPS {
@@ -252,7 +261,9 @@ fn requests_that_come_faster_than_pictures_still_show_some() {
     let job = job(&scene, 0, [640, 480], 1);
     // A request at every sign of life and more: each comes while the one before is being made.
     let mut shown = std::collections::BTreeSet::new();
+    let start = Instant::now();
     while shown.len() < 5 {
+        assert!(start.elapsed() < HUNG, "nothing is shown");
         watched.session.show(LiveRequest { scene: Arc::clone(&scene), job: job.clone() });
         shown.extend(watched.session.latest().map(|snapshot| snapshot.epoch));
     }

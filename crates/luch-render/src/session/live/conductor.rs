@@ -107,10 +107,8 @@ impl Conductor {
         let mut shrink = self.pace.first(&kind, sides, threads);
         while shrink > 1 {
             let mut canvas = Canvas::new(size, shrink, threads);
-            if self.pass(&mut picture, &mut canvas, 1)?.is_none() {
-                return Ok(());
-            }
-            shrink = self.pace.next(&kind, sides, threads, shrink);
+            let Some(took) = self.pass(&mut picture, &mut canvas, 1)? else { return Ok(()) };
+            shrink = self.pace.next(&kind, sides, threads, shrink, took);
         }
         let (mut canvas, mut samples) = (Canvas::new(size, 1, threads), 1);
         while canvas.samples() < wanted {

@@ -81,10 +81,12 @@ impl Pace {
         shrink
     }
 
-    /// The resolution to go on with after a preview.
-    pub(super) fn next(&mut self, kind: &Kind, size: [u32; 2], threads: usize, shown: u32) -> u32 {
-        let [block, full] = self.seconds(kind, size, threads);
-        let worth = NEXT_PICTURE.max(block / f64::from(shown).powi(2) * STEP);
+    /// The resolution to go on with after a preview of resolution `shown` that took so long.
+    pub(super) fn next(&mut self, kind: &Kind, size: [u32; 2], threads: usize, shown: u32, took: Duration) -> u32 {
+        // What this very picture costs is seen by now; what others cost tells how much less neighbours take.
+        let block = took.as_secs_f64() * f64::from(shown).powi(2);
+        let full = block.min(self.seconds(kind, size, threads)[1]);
+        let worth = NEXT_PICTURE.max(took.as_secs_f64() * STEP);
         if full <= worth { 1 } else { (f64::from(shown) / STEP.sqrt()) as u32 }.max(1)
     }
 
@@ -105,7 +107,7 @@ impl Pace {
             None => measured,
             Some(old) if !pass.whole => measured.clamp(old * 1.5, old * 8.0),
             // One measurement may be off by whatever else the machine does.
-            Some(old) => old * 0.6 + measured.clamp(old * 0.25, old * 3.0) * 0.4,
+            Some(old) => f64::midpoint(old, measured.clamp(old * 0.25, old * 3.0)),
         });
     }
 
@@ -212,7 +214,8 @@ mod tests {
             while let Some(&last) = steps.last()
                 && last > 1
             {
-                steps.push(pace.next(&kind, SIZE, 2, last));
+                let took = Duration::from_secs_f64(full_ms / 1e3 / f64::from(last).powi(2));
+                steps.push(pace.next(&kind, SIZE, 2, last, took));
             }
             steps
         };
@@ -220,6 +223,12 @@ mod tests {
         assert_eq!(steps(50.0), [3, 1]);
         assert_eq!(steps(600.0), [8, 3, 1]);
         assert_eq!(steps(6000.0), [23, 9, 3, 1]);
+        let mut pace = knowing(&kind, 6000.0);
+        assert_eq!(
+            pace.next(&kind, SIZE, 2, 23, Duration::from_micros(100)),
+            1,
+            "it is much easier than the others were"
+        );
     }
 
     #[test]

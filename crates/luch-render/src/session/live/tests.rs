@@ -1,9 +1,11 @@
 //! What happens when something goes wrong, and when the owner goes away.
 
 use super::*;
-use crate::compiled::{CompiledScene, MeshTrees, compile};
+use crate::compiled::{CompiledScene, MeshTrees, Surface, compile};
 use crate::session::RenderJob;
-use luch_scene::{Aim, Camera, ImageSize, Light, Object, Point, Scene, Shape, Size, Unit};
+use luch_scene::{
+    Aim, Camera, ImageSize, Light, Mesh, MeshData, MeshInstance, Object, Point, Rotation, Scene, Shape, Size, Unit,
+};
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::sync::{Mutex, Weak};
 use std::time::{Duration, Instant};
@@ -151,4 +153,41 @@ fn what_is_idle_says_so() {
     assert!(status.rays >= 100 && status.elapsed == session.status().elapsed, "the clock stands");
     session.stop();
     assert_eq!(session.status().ended, Some(LiveEnd::Finished), "what is finished cannot be stopped");
+}
+
+#[test]
+fn trees_live_as_long_as_somebody_has_their_mesh() {
+    let (ring, bell) = bell();
+    let session = LiveSession::start(ringing(ring)).unwrap();
+    let data = MeshData {
+        positions: vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
+        normals: vec![[0.0, 0.0, 1.0]],
+        triangles: vec![[0, 1, 2]],
+        normal_triangles: Some(vec![[0, 0, 0]]),
+        ..MeshData::default()
+    };
+    let mesh = Arc::new(Mesh::new(data).unwrap());
+    let (path, position, rotation, scale) = (String::new(), Point::ORIGIN, Rotation::NONE, Size::ONE);
+    let instance = MeshInstance { mesh: Arc::clone(&mesh), path, position, rotation, scale };
+    let finished = |request: &LiveRequest| {
+        let epoch = session.show(request.clone());
+        assert_eq!(end_of(&session, &bell, epoch), LiveEnd::Finished);
+        session.latest().unwrap()
+    };
+    let tree = |snapshot: &Snapshot| match &snapshot.compiled.objects.last().unwrap().surface {
+        Surface::Mesh { layout, .. } => Arc::downgrade(layout),
+        _ => panic!("no mesh"),
+    };
+    let mut with_mesh = request("mesh", 20);
+    Arc::make_mut(&mut with_mesh.scene).objects.push(Object::new("Mesh", Shape::Mesh(instance)));
+    let first = tree(&finished(&with_mesh));
+    finished(&request("none", 20));
+    assert!(first.ptr_eq(&tree(&finished(&with_mesh))), "the tree is the one that was built before");
+    drop(with_mesh);
+    finished(&request("none", 20));
+    finished(&request("none", 20));
+    assert_eq!(first.strong_count(), 1, "the mesh may come back");
+    drop(mesh);
+    finished(&request("none", 20));
+    assert_eq!(first.strong_count(), 0, "nobody can ask for it any more");
 }

@@ -5,7 +5,10 @@
 use egui::{Modifiers, PointerButton, Pos2, accesskit::Role};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
+use luch_scene::color::linear_from_srgb;
 use luch_studio::{Start, Studio};
+use std::sync::mpsc::{Receiver, sync_channel};
+use std::time::Duration;
 
 /// What the tests look for, in one language.
 #[derive(Debug, Clone, Copy)]
@@ -28,6 +31,7 @@ pub struct Words {
     pub picture: &'static str,
     pub picture_width: &'static str,
     pub picture_height: &'static str,
+    pub live_update: &'static str,
 }
 
 /// Both languages of the window. The Russian words are those of the original program.
@@ -51,6 +55,7 @@ pub const LANGUAGES: [Words; 2] = [
         picture: "Picture",
         picture_width: "Picture width",
         picture_height: "Picture height",
+        live_update: "Live update",
     },
     Words {
         language: "ru",
@@ -71,6 +76,7 @@ pub const LANGUAGES: [Words; 2] = [
         picture: "Изображение",
         picture_width: "Ширина изображения",
         picture_height: "Высота изображения",
+        live_update: "Обновлять сразу",
     },
 ];
 
@@ -86,6 +92,9 @@ pub struct Picture {
 pub struct Desk {
     pub harness: Harness<'static, Studio>,
     pub words: Words,
+    live: bool,
+    /// Gets a message whenever a thread has something new for the window.
+    woken: Receiver<()>,
 }
 
 impl Desk {
@@ -102,11 +111,19 @@ impl Desk {
     /// The same in a window of another size, in points.
     pub fn in_window(words: Words, start: Start, size: [f32; 2], pixels_per_point: f32) -> Self {
         let start = Start { language: Some(words.language.to_owned()), ..start };
-        let harness = Harness::builder()
-            .with_size(size)
-            .with_pixels_per_point(pixels_per_point)
-            .build_eframe(|creation| Studio::new(creation, start).expect("a thread to render on"));
-        let mut desk = Self { harness, words };
+        let (wake, woken) = sync_channel(1);
+        let harness = Harness::builder().with_size(size).with_pixels_per_point(pixels_per_point).build_eframe(
+            move |creation: &mut eframe::CreationContext<'_>| {
+                // What a frame asks for later, such as progress, is nothing to wake for.
+                creation.egui_ctx.set_request_repaint_callback(move |request| {
+                    if request.delay.is_zero() {
+                        let _ = wake.try_send(());
+                    }
+                });
+                Studio::new(creation, start).expect("a thread to render on")
+            },
+        );
+        let mut desk = Self { harness, words, live: true, woken };
         desk.settle();
         desk
     }
@@ -117,11 +134,29 @@ impl Desk {
             self.harness.step();
         }
         while !self.harness.state().is_settled() {
+            // Frames that show nothing new would only take time from the renderer.
+            let _ = self.woken.recv_timeout(Duration::from_millis(20));
             self.harness.step();
-            std::thread::yield_now();
         }
         for _ in 0..3 {
             self.harness.step();
+        }
+    }
+
+    /// Whether changes show by themselves from now on.
+    pub fn set_live(&mut self, live: bool) {
+        if self.live != live {
+            self.tick(self.words.live_update);
+            self.live = live;
+        }
+    }
+
+    /// Changes something. Where changes wait for the button, the picture stays until it is pressed.
+    pub fn change(&mut self, change: impl FnOnce(&mut Self)) {
+        let before = self.picture();
+        change(self);
+        if !self.live {
+            assert!(self.picture() == before, "the picture changed before the button was pressed");
         }
     }
 
@@ -152,12 +187,22 @@ impl Desk {
         self.settle();
     }
 
+    /// Scrolls until a widget is in sight and comes to rest.
+    pub fn scroll_to(&mut self, role: Role, name: &str) {
+        let place = |desk: &Self| desk.harness.get_by_role_and_label(role, name).rect();
+        self.harness.get_by_role_and_label(role, name).scroll_to_me();
+        let mut before = egui::Rect::NOTHING;
+        while before != place(self) {
+            before = place(self);
+            for _ in 0..3 {
+                self.harness.step();
+            }
+        }
+    }
+
     /// Types a value into the field of that name and presses Enter.
     pub fn type_into(&mut self, name: &str, text: &str) {
-        let field = self.harness.get_by_role_and_label(Role::TextInput, name);
-        field.scroll_to_me();
-        self.harness.step();
-        self.harness.step();
+        self.scroll_to(Role::TextInput, name);
         self.harness.get_by_role_and_label(Role::TextInput, name).click();
         self.harness.step();
         self.harness.key_press_modifiers(Modifiers::COMMAND, egui::Key::A);
@@ -170,18 +215,14 @@ impl Desk {
 
     /// Ticks or unticks the box of that name.
     pub fn tick(&mut self, name: &str) {
-        self.harness.get_by_role_and_label(Role::CheckBox, name).scroll_to_me();
-        self.harness.step();
-        self.harness.step();
+        self.scroll_to(Role::CheckBox, name);
         self.harness.get_by_role_and_label(Role::CheckBox, name).click();
         self.settle();
     }
 
     /// Clicks a row of the list of objects.
     pub fn select_in_list(&mut self, name: &str) {
-        self.harness.get_by_role_and_label(Role::Button, name).scroll_to_me();
-        self.harness.step();
-        self.harness.step();
+        self.scroll_to(Role::Button, name);
         self.harness.get_by_role_and_label(Role::Button, name).click();
         self.settle();
     }
@@ -228,6 +269,39 @@ impl Picture {
             }
         }
         sums.map(|sum| sum / self.pixels.len() as f64)
+    }
+
+    /// Those of the pixels whose red, green or blue differ by more than `step` of 255 between two pictures.
+    pub fn changed(&self, other: &Self, pixels: &[usize], step: u8) -> Vec<usize> {
+        assert_eq!((self.width, self.height), (other.width, other.height));
+        let differs = |i: &usize| self.pixels[*i].iter().zip(other.pixels[*i]).any(|(a, b)| a.abs_diff(b) > step);
+        pixels.iter().copied().filter(differs).collect()
+    }
+
+    /// Red, green and blue of a pixel in linear light.
+    pub fn linear(&self, pixel: usize) -> [f64; 3] {
+        let [r, g, b, _] = self.pixels[pixel];
+        [r, g, b].map(|value| f64::from(linear_from_srgb(f32::from(value) / 255.0)))
+    }
+
+    /// The luminance (Rec. 709) of a pixel.
+    pub fn luminance(&self, pixel: usize) -> f64 {
+        let [r, g, b] = self.linear(pixel);
+        0.2126 * r + 0.7152 * g + 0.0722 * b
+    }
+
+    /// The mean of some pixels in linear light.
+    pub fn mean_of(&self, pixels: &[usize]) -> [f64; 3] {
+        let sum = |channel: usize| pixels.iter().map(|&i| self.linear(i)[channel]).sum::<f64>();
+        [0, 1, 2].map(|channel| sum(channel) / pixels.len() as f64)
+    }
+
+    /// Standard deviation of the luminance over its mean.
+    pub fn contrast(&self, pixels: &[usize]) -> f64 {
+        let count = pixels.len() as f64;
+        let mean = pixels.iter().map(|&i| self.luminance(i)).sum::<f64>() / count;
+        let variance = pixels.iter().map(|&i| (self.luminance(i) - mean).powi(2)).sum::<f64>() / count;
+        variance.sqrt() / mean
     }
 
     pub fn pixel(&self, x: u32, y: u32) -> [u8; 4] {

@@ -1,5 +1,9 @@
 //! What was typed: a struct for each command, every number in its range already. What it means is `meaning`'s business.
 
+mod study;
+
+pub(crate) use study::{StudyArgs, StudyCommand};
+
 use crate::text;
 use crate::values::{self, Part, Rays};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -37,6 +41,9 @@ pub(crate) enum Command {
     /// Tell what is in a scene or model
     #[command(after_help = text::INFO)]
     Info(InfoArgs),
+    /// Study how long pictures take, and what that depends on
+    #[command(subcommand, after_help = text::STUDY)]
+    Study(StudyCommand),
     /// Measure the parts of the renderer
     #[command(subcommand, after_help = text::BENCH)]
     Bench(BenchCommand),
@@ -209,7 +216,7 @@ pub(crate) enum Query {
 
 // Words of closed sets: clap lists them in the help and suggests the nearest.
 
-fn simd() -> impl TypedValueParser<Value = SimdLevel> {
+pub(crate) fn simd() -> impl TypedValueParser<Value = SimdLevel> {
     one_of(SimdLevel::ALL.map(SimdLevel::word), |word| SimdLevel::from_word(word).unwrap_or_default())
 }
 

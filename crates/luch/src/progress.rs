@@ -2,6 +2,7 @@
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use luch_render::Progress;
+use luch_study::StudyProgress;
 use std::io::{self, IsTerminal, Write as _};
 use std::sync::{Condvar, Mutex, PoisonError};
 use std::thread;
@@ -11,6 +12,38 @@ use std::time::{Duration, Instant};
 const DELAY: Duration = Duration::from_millis(500);
 /// Time between two looks at the work.
 const PERIOD: Duration = Duration::from_millis(100);
+
+/// What tells how far the work is.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Meter<'a> {
+    /// One picture.
+    Render(&'a Progress),
+    /// Many pictures.
+    Study(&'a StudyProgress),
+}
+
+impl Meter<'_> {
+    fn done(self) -> u64 {
+        match self {
+            Self::Render(progress) => progress.done(),
+            Self::Study(progress) => progress.done(),
+        }
+    }
+
+    fn total(self) -> u64 {
+        match self {
+            Self::Render(progress) => progress.total(),
+            Self::Study(progress) => progress.total(),
+        }
+    }
+
+    fn rays(self) -> u64 {
+        match self {
+            Self::Render(progress) => progress.rays(),
+            Self::Study(progress) => progress.rays(),
+        }
+    }
+}
 
 /// Shows the stages of a run, or does not.
 #[derive(Debug, Clone, Copy)]
@@ -24,14 +57,14 @@ impl Stages {
         Self { shown: !quiet && io::stderr().is_terminal() }
     }
 
-    /// Does the work and meanwhile, once it takes long, shows `label` and how far `progress` is.
-    pub(crate) fn during<T>(self, label: &str, progress: Option<&Progress>, work: impl FnOnce() -> T) -> T {
+    /// Does the work and meanwhile, once it takes long, shows `label` and how far the work is.
+    pub(crate) fn during<T>(self, label: &str, meter: Option<Meter<'_>>, work: impl FnOnce() -> T) -> T {
         if !self.shown {
             return work();
         }
         let end = End::default();
         thread::scope(|scope| {
-            let paint = || paint(label, progress, &end);
+            let paint = || paint(label, meter, &end);
             // Without a thread there is no progress to see, and no harm.
             let _painter = thread::Builder::new().name("luch-progress".to_owned()).spawn_scoped(scope, paint);
             // Dropped before the scope waits for the painter, also when the work panics.
@@ -66,7 +99,7 @@ impl End {
     }
 }
 
-fn paint(label: &str, progress: Option<&Progress>, end: &End) {
+fn paint(label: &str, meter: Option<Meter<'_>>, end: &End) {
     let begin = Instant::now();
     if end.came_within(DELAY) {
         return;
@@ -75,13 +108,13 @@ fn paint(label: &str, progress: Option<&Progress>, end: &End) {
     bar.set_prefix(label.to_owned());
     bar.set_style(style("{prefix} {spinner} {elapsed}"));
     loop {
-        if let Some(progress) = progress.filter(|p| p.total() > 0) {
+        if let Some(meter) = meter.filter(|m| m.total() > 0) {
             if bar.length().is_none() {
                 bar.set_style(style("{prefix} [{bar:30}] {percent:>3} %  {msg}, {eta} left"));
-                bar.set_length(progress.total());
+                bar.set_length(meter.total());
             }
-            bar.set_message(rate(progress.rays(), begin.elapsed()));
-            bar.set_position(progress.done());
+            bar.set_message(rate(meter.rays(), begin.elapsed()));
+            bar.set_position(meter.done());
         }
         bar.tick();
         if end.came_within(PERIOD) {

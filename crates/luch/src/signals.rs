@@ -3,6 +3,7 @@
 use crate::exit::{Code, Failure};
 use crate::{output, progress};
 use luch_render::Progress;
+use luch_study::StudyProgress;
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::iterator::Signals;
 use std::path::{Path, PathBuf};
@@ -13,6 +14,8 @@ use std::time::Duration;
 
 /// How long a stage may take to stop by itself before the program ends without it.
 const PATIENCE: Duration = Duration::from_millis(500);
+/// The same for a study, which writes what it has before it ends.
+const PATIENCE_TO_WRITE: Duration = Duration::from_secs(10);
 
 /// What a signal interrupts.
 #[derive(Debug, Default)]
@@ -22,6 +25,8 @@ enum Stage {
     Free,
     /// A render, which stops when told.
     Rendering(Arc<Progress>),
+    /// A study, which stops when told and then writes what it has.
+    Studying(Arc<StudyProgress>),
     /// These files are being written, each beside its place until it is whole.
     Writing(Vec<PathBuf>),
 }
@@ -73,6 +78,22 @@ impl Watch {
         self.enter(Stage::Rendering(Arc::clone(progress)), work)
     }
 
+    /// Runs a study that a signal cancels: what it has by then may be written by [`Watch::writing_the_rest`].
+    ///
+    /// # Errors
+    /// The signal, if there was one before.
+    pub(crate) fn studying<T>(&self, progress: &Arc<StudyProgress>, work: impl FnOnce() -> T) -> Result<T, Failure> {
+        self.enter(Stage::Studying(Arc::clone(progress)), work)
+    }
+
+    /// Runs the writing of files also after a signal. A second one ends it, and nothing half written is left.
+    pub(crate) fn writing_the_rest<'p, T>(&self, files: impl Iterator<Item = &'p Path>, work: impl FnOnce() -> T) -> T {
+        *self.shared.stage() = Stage::Writing(files.map(Path::to_owned).collect());
+        let outcome = work();
+        *self.shared.stage() = Stage::Free;
+        outcome
+    }
+
     /// Runs the writing of files. A signal lets it come to its end if that is near: then the run is a success.
     ///
     /// # Errors
@@ -118,6 +139,10 @@ impl Shared {
                 progress.cancel();
                 self.end_after(PATIENCE, code);
             }
+            Stage::Studying(progress) if first => {
+                progress.cancel();
+                self.end_after(PATIENCE_TO_WRITE, code);
+            }
             Stage::Writing(_) if first => self.end_after(PATIENCE, code),
             stage => quit(code, stage),
         }
@@ -139,7 +164,7 @@ impl Shared {
 /// The failure that a signal is.
 fn stopped(code: Code) -> Failure {
     let by = if code == Code::Terminated { "by SIGTERM" } else { "by Ctrl-C" };
-    Failure::new(code, format!("stopped {by}: no picture was written"))
+    Failure::new(code, format!("stopped {by}: nothing was written"))
 }
 
 #[allow(clippy::exit, reason = "the main thread may be deep in work that cannot be told to stop")]

@@ -8,6 +8,7 @@ Examples:
   luch render two-spheres -o spheres.png        a first picture
   luch render chess -o chess.png --camera 2 --antialiasing 64
   luch info bunny.obj                           what is in a model
+  luch study threads -o study                   how time follows the number of threads
 
 `luch COMMAND --help` tells more of each command.
 
@@ -55,6 +56,50 @@ Examples:
 
 A shared mesh is counted once for each object in `triangles`, and once in `memory_bytes`.
 `bounds` are those of the visible objects but unbounded walls, in scene units.";
+
+pub(crate) const STUDY: &str = "\
+Examples:
+  luch study threads -o threads                 about half a minute on two cores
+  luch study triangles -o triangles --language ru
+  luch study rays -o rays --effect depth-of-field --scene knight
+  luch study tiles -o tiles --size 1920x1080
+
+Each writes study.md (the report), study.csv, study.json and plots as SVG and PNG into a folder.
+Every case is run many times, in an order that favours none; medians and quartiles are told.
+Ctrl-C ends a study early: what was measured until then is written, marked as partial.";
+
+pub(crate) const STUDY_THREADS: &str = "\
+Examples:
+  luch study threads -o study
+  luch study threads -o study --threads 1,2,4 --runs 10
+  luch study threads -o study --scene knight --scene chess --size 1280x720
+
+Defaults: 50 runs after 3 to warm up, 1920x1440 pixels: about half a minute on two cores.
+Tells medians, quartiles, speed-up, efficiency, the serial share by Amdahl's law, and what the
+second scene costs more than the first; beside them the published times of another program.";
+
+pub(crate) const STUDY_TRIANGLES: &str = "\
+Examples:
+  luch study triangles -o study
+  luch study triangles -o study --triangles 1000,100000,10000000 --runs 5
+
+Defaults: 11 runs after 1 to warm up, 960x720 pixels.
+The meshes are bumpy spheres made for the study; the time to build one and to render it are told.";
+
+pub(crate) const STUDY_RAYS: &str = "\
+Examples:
+  luch study rays -o study
+  luch study rays -o study --effect both --scene knight --rays 1,16,256 --reference 2048
+
+Defaults: 7 runs after 1 to warm up, 480x360 pixels.
+Noise is the root of the mean squared difference from a picture with the rays of --reference.";
+
+pub(crate) const STUDY_TILES: &str = "\
+Examples:
+  luch study tiles -o study
+  luch study tiles -o study --tiles 16,32,64 --scene chess
+
+Defaults: 21 runs after 2 to warm up, 1920x1440 pixels.";
 
 pub(crate) const BENCH: &str = "\
 Example:

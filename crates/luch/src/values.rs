@@ -1,6 +1,7 @@
 //! The values of flags: text in, a number of the right range out, or a sentence that says what belongs there.
 
 use luch_scene::{ImageSize, NonNegative, NumberError, RayCount};
+use luch_study::plan;
 use std::ops::RangeInclusive;
 
 /// `--antialiasing` and `--depth-of-field`.
@@ -18,6 +19,10 @@ pub(crate) struct Part {
     pub(crate) width: u32,
     pub(crate) height: u32,
 }
+
+/// Numbers with commas between them, at least one, each once.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct List(pub(crate) Vec<u64>);
 
 /// Reads a number as people write it; what is no number is refused, NaN and infinities are left to the ranges.
 pub(crate) fn number(text: &str) -> Result<f64, String> {
@@ -69,6 +74,63 @@ pub(crate) fn threads(text: &str) -> Result<u32, String> {
 /// Reads a number of repeats.
 pub(crate) fn repeats(text: &str) -> Result<u32, String> {
     whole(text, 1..=100_000, "repeats")
+}
+
+/// Reads a number of counted runs.
+pub(crate) fn runs(text: &str) -> Result<u32, String> {
+    whole(text, of(&plan::RUNS), "runs")
+}
+
+/// Reads a number of runs that are not counted.
+pub(crate) fn warm_up(text: &str) -> Result<u32, String> {
+    whole(text, of(&plan::WARM_UP), "warm-up runs")
+}
+
+/// Reads the rays per pixel of a reference.
+pub(crate) fn reference(text: &str) -> Result<u32, String> {
+    whole(text, of(&plan::RAYS), "rays per pixel")
+}
+
+/// Reads `1,2,4` as numbers of threads.
+pub(crate) fn thread_counts(text: &str) -> Result<List, String> {
+    list(text, &plan::THREADS, "threads")
+}
+
+/// Reads `1000,100000` as numbers of triangles.
+pub(crate) fn triangle_counts(text: &str) -> Result<List, String> {
+    list(text, &plan::TRIANGLES, "triangles")
+}
+
+/// Reads `1,16,256` as numbers of rays per pixel.
+pub(crate) fn ray_counts(text: &str) -> Result<List, String> {
+    list(text, &plan::RAYS, "rays per pixel")
+}
+
+/// Reads `16,32,64` as sides of tiles.
+pub(crate) fn tile_sides(text: &str) -> Result<List, String> {
+    list(text, &plan::TILES, "pixels")
+}
+
+/// Reads whole numbers of a range with commas between them, each once.
+fn list(text: &str, range: &RangeInclusive<u64>, what: &str) -> Result<List, String> {
+    if text.trim().is_empty() {
+        return Err(format!("write numbers of {what} with commas between them, as in 8,16,32"));
+    }
+    let mut numbers = Vec::new();
+    for part in text.split(',') {
+        let number = u64::from(whole(part, of(range), what)?);
+        if numbers.contains(&number) {
+            return Err(format!("{number} is there twice"));
+        }
+        numbers.push(number);
+    }
+    Ok(List(numbers))
+}
+
+/// The range of a study's plan; its numbers are far below 2^32.
+fn of(range: &RangeInclusive<u64>) -> RangeInclusive<u32> {
+    let end = |n: u64| u32::try_from(n).unwrap_or(u32::MAX);
+    end(*range.start())..=end(*range.end())
 }
 
 /// Reads a depth.
@@ -200,6 +262,28 @@ mod tests {
         for bad in ["", "1,2,3", "1,2,3,4,5", "-1,2,3,4", "1,2,0,4", "1,2,3,0", "a,b,c,d", "99999999999,0,1,1"] {
             assert!(crop(bad).is_err(), "{bad}");
         }
+    }
+
+    #[test]
+    fn lists_of_numbers() {
+        assert_eq!(thread_counts("1,2, 64"), Ok(List(vec![1, 2, 64])));
+        assert_eq!(triangle_counts("10000000"), Ok(List(vec![10_000_000])));
+        for (bad, words) in [
+            ("", "commas"),
+            (" ", "commas"),
+            ("1,2,", "\"\" is not a number of threads"),
+            ("1,0", "\"0\" is not a number of threads from 1 to 1024"),
+            ("100000", "\"100000\" is not a number of threads from 1 to 1024"),
+            ("1;2", "\"1;2\""),
+            ("-1", "\"-1\""),
+            ("2,1,2", "2 is there twice"),
+            ("1,,2", "\"\""),
+        ] {
+            assert!(thread_counts(bad).unwrap_err().contains(words), "{bad}");
+        }
+        assert!(
+            runs("0").is_err() && warm_up("0").is_ok() && tile_sides("1025").is_err() && ray_counts("4097").is_err()
+        );
     }
 
     #[test]

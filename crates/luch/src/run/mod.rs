@@ -5,6 +5,7 @@ mod info;
 mod render;
 mod scenes;
 pub(crate) mod studio;
+mod study;
 mod writable;
 
 use crate::args::{BenchCommand, Command};
@@ -22,6 +23,7 @@ pub(crate) fn run(command: Command) -> Result<(), Failure> {
         Command::Render(args) => render::run(&Request::of(*args)?, &watch),
         Command::Scenes(args) => scenes::run(&args, &watch),
         Command::Info(args) => info::run(&args, &watch),
+        Command::Study(command) => study::run(command, &watch),
         Command::Bench(BenchCommand::Rays(args)) => bench_rays::run(&args, &watch),
     }
 }

@@ -4,7 +4,7 @@ use crate::clock::Stopwatch;
 use crate::exit::{Code, Failure};
 use crate::meaning::{Format, Request, Stats, picture_bytes};
 use crate::output;
-use crate::progress::Stages;
+use crate::progress::{Meter, Stages};
 use crate::run::writable;
 use crate::signals::Watch;
 use crate::source::{self, Loaded};
@@ -75,7 +75,7 @@ pub(crate) fn run(request: &Request, watch: &Watch) -> Result<(), Failure> {
 
     let rendering = Stopwatch::start();
     let progress = Arc::new(Progress::new());
-    let work = || stages.during("rendering", Some(&progress), || render(&compiled, &job, &progress));
+    let work = || stages.during("rendering", Some(Meter::Render(&progress)), || render(&compiled, &job, &progress));
     let outcome = watch.rendering(&progress, work)?;
     let (render_ms, cpu_ms) = (rendering.wall_ms(), rendering.cpu_ms());
     // A render stopped by the user fails as the signal that stopped it.

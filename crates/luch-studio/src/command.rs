@@ -3,6 +3,7 @@
 use crate::dialogs::Dialog;
 use crate::l10n::{Language, Texts};
 use crate::selection::Part;
+use crate::study::StudyCommand;
 use crate::undo::Gesture;
 use crate::view::Pose;
 use egui::{Key, KeyboardShortcut, Modifiers, ThemePreference};
@@ -84,6 +85,8 @@ pub(crate) enum Command {
     HintsRead,
     /// Take a notice away.
     DismissNotice(u64),
+    /// Measure how long pictures take.
+    Study(StudyCommand),
     /// Close the window.
     Quit,
 }
@@ -161,6 +164,7 @@ impl Command {
             Self::SetZoom(Zoom::Factor(_)) => texts.command_zoom_one(),
             Self::SetTool(Tool::Select) => texts.tool_select(),
             Self::SetTool(Tool::Focus) => texts.tool_focus(),
+            Self::Study(_) => texts.menu_study(),
             Self::Show(dialog) => dialog.label(texts),
             // The rest are gestures and widgets with labels of their own; no menu has them.
             _ => String::new(),

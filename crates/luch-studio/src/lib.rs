@@ -19,6 +19,7 @@ mod selection;
 mod shortcuts;
 mod state;
 mod studio;
+mod study;
 mod style;
 mod undo;
 mod view;

@@ -8,6 +8,7 @@ use crate::notices::Notices;
 use crate::preferences::Preferences;
 use crate::render_link::RenderLink;
 use crate::selection::Part;
+use crate::study::StudyDesk;
 use crate::view::View;
 use luch_io::SceneSource;
 use luch_scene::{Camera, Scene};
@@ -22,6 +23,7 @@ pub(crate) struct State {
     pub(crate) zoom: Zoom,
     pub(crate) preferences: Preferences,
     pub(crate) notices: Notices,
+    pub(crate) study: StudyDesk,
     pub(crate) dialog: Option<Dialog>,
     /// Whether a person who has not read the hints of the first run is to see them.
     pub(crate) hints: bool,

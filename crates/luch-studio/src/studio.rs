@@ -12,6 +12,7 @@ use crate::render_link::RenderLink;
 use crate::selection::{Anchor, Part};
 use crate::shortcuts;
 use crate::state::{Desk, State};
+use crate::study::{self, Outcome, StudyCommand, StudyDesk};
 use crate::undo::Gesture;
 use crate::view::View;
 use crate::viewport;
@@ -70,6 +71,7 @@ impl Studio {
             dialog: None,
             hints: start.hints,
             pending: false,
+            study: StudyDesk::default(),
             preferences,
         };
         let texts = state.preferences.language.load();
@@ -81,10 +83,14 @@ impl Studio {
         Ok(studio)
     }
 
-    /// Whether nothing is under way: no load, no picture, no command.
+    /// Whether nothing is under way: no load, no picture, no study, no command.
     #[must_use]
     pub fn is_settled(&self) -> bool {
-        self.loader.source().is_none() && self.commands.is_empty() && !self.stale && self.render.is_settled()
+        self.loader.source().is_none()
+            && !self.state.study.is_busy()
+            && self.commands.is_empty()
+            && !self.stale
+            && self.render.is_settled()
     }
 
     /// The picture that is shown: width, height, red, green, blue and alpha of each pixel, rows from the top.
@@ -119,6 +125,15 @@ impl Studio {
         self.render.poll(ctx);
         if let Some(message) = self.render.failure() {
             self.state.notices.error(self.texts.notice_render_failed(), message);
+        }
+        match self.state.study.poll() {
+            None => {}
+            Some(Outcome::Saved(folder)) => {
+                let (title, details) = (self.texts.study_saved(), folder.display().to_string());
+                self.state.notices.add(Severity::Done, title, details);
+            }
+            Some(Outcome::NotSaved(error)) => self.state.notices.error(self.texts.study_not_saved(), error),
+            Some(Outcome::Failed(error)) => self.state.notices.error(self.texts.study_failed(), error),
         }
         if let Some(next) = self.state.notices.expire(Instant::now()) {
             ctx.request_repaint_after(next);
@@ -266,7 +281,28 @@ impl Studio {
             Command::CloseDialog => self.state.dialog = None,
             Command::HintsRead => self.state.preferences.hints_read = true,
             Command::DismissNotice(id) => self.state.notices.dismiss(id),
+            Command::Study(command) => self.study(command, ctx),
             Command::Quit => ctx.send_viewport_cmd(ViewportCommand::Close),
+        }
+    }
+
+    fn study(&mut self, command: StudyCommand, ctx: &Context) {
+        let wake = ctx.clone();
+        let wake = move || wake.request_repaint();
+        let begun = match command {
+            StudyCommand::Open(open) => {
+                self.state.study.open = open;
+                Ok(())
+            }
+            StudyCommand::Start(study) => self.state.study.start(*study, wake),
+            StudyCommand::Cancel => {
+                self.state.study.cancel();
+                Ok(())
+            }
+            StudyCommand::Save(folder) => self.state.study.save(folder, self.state.preferences.language, wake),
+        };
+        if let Err(error) = begun {
+            self.state.notices.error(self.texts.notice_internal(), error.to_string());
         }
     }
 
@@ -329,6 +365,7 @@ impl eframe::App for Studio {
         shortcuts::take(&ctx, desk);
         panels::show(ui, desk);
         viewport::show(ui, desk);
+        study::show(&ctx, desk);
         dialogs::show(&ctx, desk);
         for command in commands {
             self.apply(command, &ctx);

@@ -4,6 +4,7 @@ use crate::command::{Command, Zoom};
 use crate::dialogs::Dialog;
 use crate::l10n::Language;
 use crate::state::Desk;
+use crate::study::StudyCommand;
 use egui::{Button, MenuBar, ThemePreference, Ui};
 
 pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
@@ -32,6 +33,8 @@ pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
             item(ui, desk, Command::Frame, true);
             item(ui, desk, Command::SetPose(None), desk.state.view.pose.is_some());
             item(ui, desk, Command::StorePose, desk.state.view.pose.is_some());
+            ui.separator();
+            item(ui, desk, Command::Study(StudyCommand::Open(true)), true);
             ui.separator();
             theme_menu(ui, desk);
             language_menu(ui, desk);

@@ -11,6 +11,9 @@ mod render;
 mod scene;
 mod status;
 
+pub(crate) use render::duration;
+pub(crate) use scene::built_in_name;
+
 use crate::state::Desk;
 use egui::{CollapsingHeader, Panel, ScrollArea, Ui};
 

@@ -1,6 +1,7 @@
 //! The button, how far the picture is, and how it is made.
 
 use crate::command::Command;
+use crate::l10n::Texts;
 use crate::preferences::{Preferences, cores};
 use crate::state::Desk;
 use crate::undo::Gesture;
@@ -56,10 +57,10 @@ fn progress(ui: &mut Ui, desk: &Desk<'_>, status: &LiveStatus) {
         match status.phase {
             LivePhase::Compiling => texts.progress_preparing(),
             LivePhase::Rendering => match time_left(share, status.elapsed) {
-                Some(left) => texts.progress_left(percent(share), duration(left, desk)),
+                Some(left) => texts.progress_left(percent(share), duration(left, texts)),
                 None => percent(share),
             },
-            LivePhase::Idle => duration(status.elapsed, desk),
+            LivePhase::Idle => duration(status.elapsed, texts),
         }
     };
     let name = texts.progress();
@@ -82,14 +83,14 @@ fn time_left(share: f32, elapsed: Duration) -> Option<Duration> {
 }
 
 /// A duration as people say it.
-pub(super) fn duration(duration: Duration, desk: &Desk<'_>) -> String {
+pub(crate) fn duration(duration: Duration, texts: &Texts) -> String {
     let seconds = duration.as_secs_f64();
     if seconds < 1.0 {
-        desk.texts.milliseconds(format!("{:.0}", seconds * 1e3))
+        texts.milliseconds(format!("{:.0}", seconds * 1e3))
     } else if seconds < 100.0 {
-        desk.texts.seconds(format!("{seconds:.1}"))
+        texts.seconds(format!("{seconds:.1}"))
     } else {
-        desk.texts.minutes(format!("{:.0}", (seconds / 60.0).floor()), format!("{:.0}", seconds % 60.0))
+        texts.minutes(format!("{:.0}", (seconds / 60.0).floor()), format!("{:.0}", seconds % 60.0))
     }
 }
 

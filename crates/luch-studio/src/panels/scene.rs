@@ -1,6 +1,7 @@
 //! Which scene, through which camera, how wide.
 
 use crate::command::Command;
+use crate::l10n::Texts;
 use crate::state::Desk;
 use crate::undo::Gesture;
 use crate::widgets::check::NumberFormat;
@@ -30,7 +31,7 @@ fn scene_choice(ui: &mut Ui, desk: &mut Desk<'_>) {
             for id in builtin::ids() {
                 let source = SceneSource::BuiltIn(id);
                 let selected = current.as_ref() == Some(&source);
-                if ui.selectable_label(selected, built_in_name(id, desk)).clicked() {
+                if ui.selectable_label(selected, built_in_name(id, desk.texts)).clicked() {
                     desk.send(Command::Open(source));
                 }
             }
@@ -40,12 +41,12 @@ fn scene_choice(ui: &mut Ui, desk: &mut Desk<'_>) {
 }
 
 /// What a built-in scene is called in the language of the window.
-fn built_in_name(id: &str, desk: &Desk<'_>) -> String {
+pub(crate) fn built_in_name(id: &str, texts: &Texts) -> String {
     match id {
-        "two-spheres" => desk.texts.scene_two_spheres(),
-        "one-sphere" => desk.texts.scene_one_sphere(),
-        "knight" => desk.texts.scene_knight(),
-        "chess" => desk.texts.scene_chess(),
+        "two-spheres" => texts.scene_two_spheres(),
+        "one-sphere" => texts.scene_one_sphere(),
+        "knight" => texts.scene_knight(),
+        "chess" => texts.scene_chess(),
         other => other.to_owned(),
     }
 }

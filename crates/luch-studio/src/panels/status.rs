@@ -12,7 +12,7 @@ pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
         facts.push(texts.status_size(size.width().to_string(), size.height().to_string()));
         facts.push(texts.status_rays(snapshot.samples));
         facts.push(texts.status_threads(snapshot.job.threads));
-        facts.push(duration(snapshot.elapsed, desk));
+        facts.push(duration(snapshot.elapsed, texts));
         let seconds = snapshot.elapsed.as_secs_f64();
         if seconds > 0.0 {
             facts.push(texts.status_speed(format!("{:.1}", snapshot.rays as f64 / seconds / 1e6)));

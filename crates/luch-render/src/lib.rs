@@ -34,7 +34,7 @@ pub use compiled::{CompiledScene, MeshTrees, compile, highlight_exponent, highli
 pub use film::Film;
 pub use integrator::{Integrator, Lens};
 pub use session::live::{
-    Epoch, LiveEnd, LivePhase, LiveRequest, LiveSession, LiveStatus, ObjectMap, Pick, Snapshot, pick,
+    DepthMap, Epoch, LiveEnd, LivePhase, LiveRequest, LiveSession, LiveStatus, ObjectMap, Pick, Snapshot, depths, pick,
 };
 pub use session::{Crop, Progress, RenderError, RenderJob, render};
 pub use simd::SimdLevel;

@@ -8,7 +8,7 @@ use crate::undo::Gesture;
 use crate::view::Pose;
 use egui::{Key, KeyboardShortcut, Modifiers, ThemePreference};
 use luch_io::SceneSource;
-use luch_scene::Edit;
+use luch_scene::{Edit, Positive};
 
 /// What the mouse does in the picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -61,6 +61,8 @@ pub(crate) enum Command {
     Frame,
     /// Make the scene's camera stand where the view is.
     StorePose,
+    /// Make what lies at this distance along the view sharp; `None`: there is nothing.
+    FocusAt(Option<Positive>),
     /// Start the picture, with all changes that wait for it.
     Render,
     /// Stop the picture.

@@ -1,5 +1,7 @@
 //! The studio: takes in what happened, shows the panels, applies the commands that they queued.
 
+mod looking;
+
 use crate::command::Command;
 use crate::dialogs;
 use crate::document::Document;
@@ -231,27 +233,11 @@ impl Studio {
                 let scene = self.state.document.scene().clone();
                 self.edit_selected(|part| part.set_hidden(!part.is_hidden(&scene)));
             }
-            Command::ChooseCamera(index) => {
-                self.state.view = View { index, pose: None };
-                self.state.view.stay_within(self.state.document.scene());
-                self.changed();
-            }
-            Command::SetPose(pose) => {
-                self.state.view.pose = pose;
-                self.changed();
-            }
-            Command::Frame => {
-                if let Some(pose) = self.state.view.framing(self.state.scene(), self.state.selection) {
-                    self.state.view.pose = Some(pose);
-                    self.changed();
-                }
-            }
-            Command::StorePose => {
-                if let Some(edit) = self.state.view.store() {
-                    self.edit(edit, Gesture::Single);
-                    self.state.view.pose = None;
-                }
-            }
+            Command::ChooseCamera(index) => self.choose_camera(index),
+            Command::SetPose(pose) => self.set_pose(pose),
+            Command::Frame => self.frame(),
+            Command::StorePose => self.store_pose(),
+            Command::FocusAt(distance) => self.focus_at(distance),
             Command::Render => self.show_anew(),
             Command::Cancel => {
                 self.loader.stop();

@@ -2,12 +2,29 @@
 
 use crate::command::Command;
 use crate::state::Desk;
+use crate::viewport::focus;
 use crate::widgets::check::NumberFormat;
 use crate::widgets::number::NumberField;
-use egui::Ui;
+use egui::{Id, Ui};
 use luch_scene::{CameraEdit, Edit, NonNegative, Positive};
 
 pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
+    let controls = ui.scope(|ui| controls(ui, desk)).response;
+    // The pointer may leave a slider that it drags.
+    let used = ui.data(|d| d.get_temp::<bool>(id())).unwrap_or(false);
+    let pressed = ui.input(|i| i.pointer.any_down());
+    let used = if pressed { used } else { ui.rect_contains_pointer(controls.rect) };
+    ui.data_mut(|d| d.insert_temp(id(), used));
+    if used {
+        focus::show_while_used(ui.ctx());
+    }
+}
+
+fn id() -> Id {
+    Id::unique("lens is used")
+}
+
+fn controls(ui: &mut Ui, desk: &mut Desk<'_>) {
     let texts = desk.texts;
     let Some(camera) = desk.state.camera() else { return };
     let index = desk.state.view.index;

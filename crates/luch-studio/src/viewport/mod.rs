@@ -1,6 +1,7 @@
 //! The picture: shown, enlarged, pointed at.
 
 mod canvas;
+pub(crate) mod focus;
 mod frame;
 mod lights;
 mod lookup;
@@ -13,7 +14,7 @@ use crate::command::{Command, Tool};
 use crate::selection::Part;
 use crate::state::Desk;
 use canvas::Canvas;
-use egui::{CentralPanel, Color32, Context, Frame, Id, Painter, Rect, Response, Sense, StrokeKind, Ui, pos2};
+use egui::{CentralPanel, Color32, Context, Frame, Id, Painter, Rect, Response, Sense, Stroke, StrokeKind, Ui, pos2};
 use frame::PictureFrame;
 use luch_render::session::live::{Snapshot, pick};
 use navigation::Navigation;
@@ -51,12 +52,15 @@ pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
         let pointed_at = response.hover_pos().filter(|_| !navigation.is_dragging());
         let under = pointed_at.and_then(|at| part_at(at, &frame, &snapshot, desk));
         set_under_pointer(ui.ctx(), under);
+        // A key that presses what has the focus is no click on a place.
+        let clicked = response.clicked() && response.interact_pointer_pos().is_some();
+        focus::show(&painter, &response, clicked, &frame, &snapshot, desk);
         draw_marks(&painter, &frame, &snapshot, desk, under);
         if response.has_focus() {
-            painter.rect_stroke(area, 0.0, ui.visuals().selection.stroke, StrokeKind::Inside);
+            let color = ui.visuals().selection.stroke.color.gamma_multiply(0.4);
+            painter.rect_stroke(area, 0.0, Stroke::new(1.0, color), StrokeKind::Inside);
         }
-        // A key that presses what has the focus is no click on a place.
-        if response.clicked() && response.interact_pointer_pos().is_some() {
+        if clicked {
             response.request_focus();
             if desk.state.tool == Tool::Select {
                 desk.send(Command::Select(under));

@@ -10,6 +10,7 @@
 
 mod canvas;
 mod conductor;
+mod depths;
 mod mailbox;
 mod objects;
 mod pace;
@@ -20,6 +21,7 @@ mod snapshot;
 #[cfg(test)]
 mod tests;
 
+pub use depths::{DepthMap, depths};
 pub use mailbox::{Epoch, LiveEnd, LivePhase, LiveRequest, LiveStatus};
 pub use objects::ObjectMap;
 pub use pick::{Pick, pick};

@@ -16,8 +16,24 @@ pub(crate) enum Tool {
     /// Select by click, look around by drag.
     #[default]
     Select,
+    /// Also move what is selected by its handles.
+    Move,
+    /// Also turn it.
+    Rotate,
+    /// Also make it larger or smaller.
+    Scale,
     /// A click sets the distance that is sharp.
     Focus,
+}
+
+impl Tool {
+    /// All of them, in the order of the toolbar.
+    pub(crate) const ALL: [Self; 5] = [Self::Select, Self::Move, Self::Rotate, Self::Scale, Self::Focus];
+
+    /// Whether a click selects.
+    pub(crate) const fn selects(self) -> bool {
+        !matches!(self, Self::Focus)
+    }
 }
 
 /// How large the picture is shown.
@@ -41,6 +57,8 @@ pub(crate) enum Command {
     Save,
     /// Change the scene.
     Edit(Edit, Gesture),
+    /// Take back the gesture of this name that is going on, as if it had never been made.
+    TakeBack(egui::Id),
     /// Take the last change back.
     Undo,
     /// Make it again.
@@ -120,6 +138,11 @@ impl Command {
             Self::SetPose(None),
             Self::SetZoom(Zoom::Fit),
             Self::SetZoom(Zoom::Factor(1.0)),
+            Self::SetTool(Tool::Select),
+            Self::SetTool(Tool::Move),
+            Self::SetTool(Tool::Rotate),
+            Self::SetTool(Tool::Scale),
+            Self::SetTool(Tool::Focus),
         ]
     }
 
@@ -141,6 +164,11 @@ impl Command {
             Self::SetPose(None) => plain(Key::Home),
             Self::SetZoom(Zoom::Fit) => ctrl(Key::Num0),
             Self::SetZoom(Zoom::Factor(_)) => ctrl(Key::Num1),
+            Self::SetTool(Tool::Select) => plain(Key::Q),
+            Self::SetTool(Tool::Move) => plain(Key::W),
+            Self::SetTool(Tool::Rotate) => plain(Key::E),
+            Self::SetTool(Tool::Scale) => plain(Key::R),
+            Self::SetTool(Tool::Focus) => plain(Key::T),
             _ => return None,
         })
     }
@@ -165,6 +193,9 @@ impl Command {
             Self::SetZoom(Zoom::Fit) => texts.command_zoom_fit(),
             Self::SetZoom(Zoom::Factor(_)) => texts.command_zoom_one(),
             Self::SetTool(Tool::Select) => texts.tool_select(),
+            Self::SetTool(Tool::Move) => texts.tool_move(),
+            Self::SetTool(Tool::Rotate) => texts.tool_rotate(),
+            Self::SetTool(Tool::Scale) => texts.tool_scale(),
             Self::SetTool(Tool::Focus) => texts.tool_focus(),
             Self::Study(_) => texts.menu_study(),
             Self::Show(dialog) => dialog.label(texts),

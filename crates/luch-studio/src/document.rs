@@ -44,6 +44,11 @@ impl Document {
         self.history.apply(edit, gesture, Arc::make_mut(&mut self.scene))
     }
 
+    /// Takes back the gesture of that name, if it is going on.
+    pub(crate) fn take_back(&mut self, gesture: egui::Id) -> Result<bool, EditError> {
+        self.history.take_back(gesture, Arc::make_mut(&mut self.scene))
+    }
+
     pub(crate) fn undo(&mut self) -> Result<bool, EditError> {
         self.history.undo(Arc::make_mut(&mut self.scene))
     }

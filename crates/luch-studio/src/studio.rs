@@ -224,6 +224,7 @@ impl Studio {
             Command::Open(source) => self.open(ctx, source),
             Command::Save => self.save_to_file(),
             Command::Edit(edit, gesture) => self.edit(edit, gesture),
+            Command::TakeBack(gesture) => self.change_scene(|document| document.take_back(gesture)),
             Command::Undo => self.turn(Document::undo),
             Command::Redo => self.turn(Document::redo),
             Command::Select(part) => self.state.selection = part.filter(|part| part.exists(self.state.scene())),

@@ -66,6 +66,14 @@ impl History {
         }
     }
 
+    /// Takes back the gesture that is going on, as if it had never been made: it cannot be redone. Answers whether there
+    /// was one of that name.
+    pub(crate) fn take_back(&mut self, gesture: egui::Id, scene: &mut Scene) -> Result<bool, EditError> {
+        let Some(step) = self.undo.pop_if(|step| step.gesture == Some(gesture)) else { return Ok(false) };
+        Edit::Group(step.inverses.into_iter().rev().collect()).apply(scene)?;
+        Ok(true)
+    }
+
     /// Takes the last step back; answers whether there was one.
     pub(crate) fn undo(&mut self, scene: &mut Scene) -> Result<bool, EditError> {
         self.end_gesture();
@@ -159,6 +167,26 @@ mod tests {
         history.apply(ambient(3.0), Gesture::Single, &mut scene).unwrap();
         assert!(![start, one].contains(&history.state()));
         assert!(!history.can_redo());
+    }
+
+    #[test]
+    fn a_gesture_that_is_taken_back_leaves_nothing_behind() {
+        let mut scene = Scene::new("s");
+        let mut history = History::default();
+        history.apply(ambient(1.0), Gesture::Single, &mut scene).unwrap();
+        let (before, state) = (scene.clone(), history.state());
+        let drag = egui::Id::unique("handle");
+        for i in 0..10 {
+            history.apply(ambient(i as f32), Gesture::Ongoing(drag), &mut scene).unwrap();
+        }
+        assert!(!history.take_back(egui::Id::unique("other"), &mut scene).unwrap());
+        assert!(history.take_back(drag, &mut scene).unwrap());
+        assert_eq!((&scene, history.state()), (&before, state));
+        assert!(!history.can_redo() && !history.take_back(drag, &mut scene).unwrap());
+        // One that has ended is a step like any other.
+        history.apply(ambient(3.0), Gesture::Ongoing(drag), &mut scene).unwrap();
+        history.end_gesture();
+        assert!(!history.take_back(drag, &mut scene).unwrap());
     }
 
     #[test]

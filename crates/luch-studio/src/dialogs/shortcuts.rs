@@ -10,6 +10,9 @@ pub(super) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
     let mouse = [
         (texts.mouse_click(), texts.mouse_click_does()),
         (texts.mouse_drag(), texts.mouse_drag_does()),
+        (texts.mouse_handle(), texts.mouse_handle_does()),
+        (texts.mouse_handle_snap(), texts.mouse_handle_snap_does()),
+        (texts.key_escape_drag(), texts.key_escape_drag_does()),
         (texts.mouse_pan(), texts.mouse_pan_does()),
         (texts.mouse_wheel(), texts.mouse_wheel_does()),
         (texts.mouse_zoom(), texts.mouse_zoom_does()),

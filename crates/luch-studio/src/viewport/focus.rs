@@ -7,7 +7,7 @@ use super::frame::PictureFrame;
 use crate::command::{Command, Tool};
 use crate::state::Desk;
 use blur::Blur;
-use egui::{Color32, Context, CursorIcon, FontId, Id, Painter, Pos2, Rect, Response, Stroke, vec2};
+use egui::{Color32, Context, CursorIcon, Id, Painter, Pos2, Response, Stroke};
 use luch_render::RenderJob;
 use luch_render::session::live::{Snapshot, pick};
 use luch_scene::{Positive, Sampling};
@@ -93,19 +93,7 @@ fn tell(
         true => texts.focus_blur(pixels),
         false => texts.focus_blur_if_on(pixels),
     };
-    let text = format!("{distance}\n{blurred}");
-    let galley = painter.layout_no_wrap(text, FontId::proportional(13.0), Color32::WHITE);
-    let mut place = Rect::from_min_size(at + vec2(18.0, 18.0), galley.size()).expand(5.0);
-    // At the right and lower edge of the picture's area it stands on the other side of the pointer.
-    let room = painter.clip_rect();
-    if place.right() > room.right() {
-        place = place.translate(vec2(-place.width() - 30.0, 0.0));
-    }
-    if place.bottom() > room.bottom() {
-        place = place.translate(vec2(0.0, -place.height() - 30.0));
-    }
-    painter.rect_filled(place, 4.0, Color32::from_black_alpha(190));
-    painter.galley(place.min + vec2(5.0, 5.0), galley, Color32::WHITE);
+    super::label::beside(painter, at, &format!("{distance}\n{blurred}"));
 }
 
 /// A length with as many digits as a person can use.

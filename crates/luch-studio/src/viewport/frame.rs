@@ -2,7 +2,7 @@
 
 use crate::view::slope_of;
 use egui::{Pos2, Rect, Vec2, vec2};
-use glam::Vec3;
+use glam::DVec3;
 use luch_scene::{Camera, ImageSize};
 
 /// Where the picture lies in the window, and through which camera it was made.
@@ -10,16 +10,17 @@ use luch_scene::{Camera, ImageSize};
 pub(super) struct PictureFrame {
     pub(super) rect: Rect,
     size: ImageSize,
-    eye: Vec3,
+    pub(super) eye: DVec3,
     /// Right, up and forward.
-    axes: [Vec3; 3],
+    pub(super) axes: [DVec3; 3],
     /// Half the height of the picture at distance 1.
-    reach: f32,
+    reach: f64,
 }
 
 impl PictureFrame {
     pub(super) fn new(rect: Rect, camera: &Camera, size: ImageSize) -> Self {
-        Self { rect, size, eye: camera.position.get(), axes: camera.frame(), reach: slope_of(camera) as f32 }
+        let axes = camera.frame().map(|axis| axis.as_dvec3());
+        Self { rect, size, eye: camera.position.get().as_dvec3(), axes, reach: slope_of(camera) }
     }
 
     /// The pixel at a point of the window.
@@ -46,19 +47,36 @@ impl PictureFrame {
 
     /// The same for a way in the window.
     pub(super) fn slope_of_points(&self, way: Vec2) -> [f64; 2] {
-        let scale = 2.0 * f64::from(self.reach) / f64::from(self.rect.height());
+        let scale = 2.0 * self.reach / f64::from(self.rect.height());
         [f64::from(way.x) * scale, -f64::from(way.y) * scale]
     }
 
+    /// The direction, of unit length, in which a point of the window is seen.
+    pub(super) fn direction_at(&self, at: Pos2) -> DVec3 {
+        let [right, up] = self.slope_at(at);
+        // Never zero: it has a part of 1 along the view.
+        (self.axes[2] + self.axes[0] * right + self.axes[1] * up).normalize_or_zero()
+    }
+
+    /// How far along the view a place lies.
+    pub(super) fn depth_of(&self, place: DVec3) -> f64 {
+        (place - self.eye).dot(self.axes[2])
+    }
+
+    /// The length in the scene of one point of the window, at a distance along the view.
+    pub(super) fn length_of_point(&self, depth: f64) -> f64 {
+        2.0 * self.reach * depth / f64::from(self.rect.height())
+    }
+
     /// Where a place in the scene is seen; `None` behind the camera.
-    pub(super) fn project(&self, place: Vec3) -> Option<Pos2> {
+    pub(super) fn project(&self, place: DVec3) -> Option<Pos2> {
         let [right, up, forward] = self.axes.map(|axis| axis.dot(place - self.eye));
         // Nothing at the eye itself can be seen, and NaN is nowhere.
-        if forward.is_nan() || forward <= 1e-6 {
+        if forward.is_nan() || forward <= 1e-9 {
             return None;
         }
-        let half = self.rect.height() * 0.5 / self.reach;
-        let at = self.rect.center() + vec2(right, -up) * (half / forward);
+        let points = 1.0 / self.length_of_point(forward);
+        let at = self.rect.center() + vec2((right * points) as f32, (-up * points) as f32);
         at.is_finite().then_some(at)
     }
 }
@@ -66,6 +84,7 @@ impl PictureFrame {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::Vec3;
     use luch_scene::{Aim, Point};
 
     fn frame() -> PictureFrame {
@@ -89,20 +108,23 @@ mod tests {
     fn slopes_are_those_of_the_field_of_view() {
         let frame = frame();
         let [right, up] = frame.slope_at(Pos2::new(500.0, 50.0));
-        let tall = f64::from(0.414_213_56_f32);
+        let tall = 0.414_213_562_373;
         assert!((up - tall).abs() < 1e-6 && (right - tall * 4.0 / 3.0).abs() < 1e-6, "{right} {up}");
         let [right, up] = frame.slope_at(Pos2::new(200.0, 250.0));
-        let seen = frame.project(Vec3::new(right as f32 * 5.0, up as f32 * 5.0, 0.0)).unwrap();
+        let seen = frame.project(DVec3::new(right * 5.0, up * 5.0, 0.0)).unwrap();
         assert!((seen - Pos2::new(200.0, 250.0)).length() < 1e-3, "{seen:?}");
+        let along = frame.direction_at(Pos2::new(200.0, 250.0));
+        assert!((along * (5.0 / -along.z) - DVec3::new(right * 5.0, up * 5.0, -5.0)).length() < 1e-9);
+        assert!((frame.length_of_point(5.0) - 5.0 * tall / 150.0).abs() < 1e-9);
     }
 
     #[test]
     fn what_is_looked_at_is_in_the_middle_and_what_is_behind_is_nowhere() {
         let frame = frame();
-        assert_eq!(frame.project(Vec3::ZERO), Some(Pos2::new(300.0, 200.0)));
-        let above = frame.project(Vec3::new(0.0, 5.0 * 0.414_213_56, 0.0)).unwrap();
+        assert_eq!(frame.project(DVec3::ZERO), Some(Pos2::new(300.0, 200.0)));
+        let above = frame.project(DVec3::new(0.0, 5.0 * 0.414_213_56, 0.0)).unwrap();
         assert!((above - Pos2::new(300.0, 50.0)).length() < 1e-3, "{above:?}");
-        assert!(frame.project(Vec3::X).unwrap().x > 300.0);
-        assert_eq!(frame.project(Vec3::new(0.0, 0.0, 6.0)), None);
+        assert!(frame.project(DVec3::X).unwrap().x > 300.0);
+        assert_eq!(frame.project(DVec3::new(0.0, 0.0, 6.0)), None);
     }
 }

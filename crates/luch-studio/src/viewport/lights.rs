@@ -34,6 +34,6 @@ pub(super) fn draw(painter: &Painter, frame: &PictureFrame, desk: &Desk<'_>, und
 /// The lamps that lie in the picture: their numbers and where they are seen.
 fn marks<'a>(frame: &'a PictureFrame, desk: &'a Desk<'_>) -> impl Iterator<Item = (usize, Pos2)> + 'a {
     let lights = desk.state.scene().lights.iter().enumerate();
-    let seen = lights.filter_map(|(index, light)| Some((index, frame.project(light.position.get())?)));
+    let seen = lights.filter_map(|(index, light)| Some((index, frame.project(light.position.get().as_dvec3())?)));
     seen.filter(|(_, at)| frame.rect.contains(*at))
 }

@@ -3,6 +3,8 @@
 mod canvas;
 pub(crate) mod focus;
 mod frame;
+mod gizmo;
+mod label;
 mod lights;
 mod lookup;
 mod navigation;
@@ -10,12 +12,13 @@ mod outline;
 mod toolbar;
 mod wheel;
 
-use crate::command::{Command, Tool};
+use crate::command::Command;
 use crate::selection::Part;
 use crate::state::Desk;
 use canvas::Canvas;
 use egui::{CentralPanel, Color32, Context, Frame, Id, Painter, Rect, Response, Sense, Stroke, StrokeKind, Ui, pos2};
 use frame::PictureFrame;
+use gizmo::Gizmo;
 use luch_render::session::live::{Snapshot, pick};
 use navigation::Navigation;
 use std::sync::Arc;
@@ -27,53 +30,69 @@ pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
         let area = ui.available_rect_before_wrap();
         let response = ui.allocate_rect(area, Sense::click_and_drag());
         name_for_readers(&response, desk);
-        let mut canvas = Canvas::load(ui.ctx());
-        canvas.take_input(ui, &response, desk);
         let painter = ui.painter_at(area);
         painter.rect_filled(area, 0.0, surround(ui));
-        let Some((snapshot, texture)) = desk.render.picture() else {
-            canvas.store(ui.ctx());
-            return;
-        };
-        let (snapshot, texture) = (Arc::clone(snapshot), texture.id());
-        let size = snapshot.job.size;
-        let rect = canvas.picture_rect(area, size, desk.state.zoom, ui.pixels_per_point());
-        let frame = PictureFrame::new(rect, &snapshot.job.camera, size);
-        // A preview has rays for whole blocks: the last block may reach beyond the picture.
-        let shown = pos2(
-            size.width() as f32 / (snapshot.width * snapshot.shrink) as f32,
-            size.height() as f32 / (snapshot.height * snapshot.shrink) as f32,
-        );
-        painter.image(texture, rect, Rect::from_min_max(pos2(0.0, 0.0), shown), Color32::WHITE);
-
-        let mut navigation = Navigation::load(ui.ctx());
-        navigation.take_input(ui, &response, &frame, &snapshot, desk);
-        // What passes under the pointer while the view moves is not pointed at.
-        let pointed_at = response.hover_pos().filter(|_| !navigation.is_dragging());
-        let under = pointed_at.and_then(|at| part_at(at, &frame, &snapshot, desk));
-        set_under_pointer(ui.ctx(), under);
-        // A key that presses what has the focus is no click on a place.
-        let clicked = response.clicked() && response.interact_pointer_pos().is_some();
-        focus::show(&painter, &response, clicked, &frame, &snapshot, desk);
-        draw_marks(&painter, &frame, &snapshot, desk, under);
-        if response.has_focus() {
-            let color = ui.visuals().selection.stroke.color.gamma_multiply(0.4);
-            painter.rect_stroke(area, 0.0, Stroke::new(1.0, color), StrokeKind::Inside);
+        let mut canvas = Canvas::load(ui.ctx());
+        // What is being dragged stays where it is.
+        if !is_dragging(ui.ctx()) {
+            canvas.take_input(ui, &response, desk);
         }
-        if clicked {
-            response.request_focus();
-            if desk.state.tool == Tool::Select {
-                desk.send(Command::Select(under));
-            }
+        if let Some((snapshot, texture)) = desk.render.picture() {
+            let (snapshot, texture) = (Arc::clone(snapshot), texture.id());
+            let size = snapshot.job.size;
+            let rect = canvas.picture_rect(area, size, desk.state.zoom, ui.pixels_per_point());
+            let [right, bottom] = snapshot.extent();
+            painter.image(texture, rect, Rect::from_min_max(pos2(0.0, 0.0), pos2(right, bottom)), Color32::WHITE);
+            let frame = PictureFrame::new(rect, &snapshot.job.camera, size);
+            work_in(ui, &painter, &response, &frame, &snapshot, desk);
         }
-        navigation.store(ui.ctx());
         canvas.store(ui.ctx());
     });
 }
 
+/// Takes what mouse and keys do in the picture, and draws over it what belongs to it.
+fn work_in(
+    ui: &Ui,
+    painter: &Painter,
+    response: &Response,
+    frame: &PictureFrame,
+    snapshot: &Snapshot,
+    desk: &mut Desk<'_>,
+) {
+    let mut gizmo = Gizmo::load(ui.ctx());
+    let mut navigation = Navigation::load(ui.ctx());
+    if !navigation.is_dragging() {
+        gizmo.take_input(ui, response, frame, desk);
+    }
+    if !gizmo.has_pointer() || navigation.is_dragging() {
+        navigation.take_input(ui, response, frame, snapshot, desk);
+    }
+    // What lies under a handle, or passes under the pointer while the view moves, is not pointed at.
+    let is_free = !gizmo.has_pointer() && !navigation.is_dragging();
+    let under = response.hover_pos().filter(|_| is_free).and_then(|at| part_at(at, frame, snapshot, desk));
+    set_under_pointer(ui.ctx(), under);
+    // A key that presses what has the focus is no click on a place.
+    let clicked = response.clicked() && response.interact_pointer_pos().is_some();
+    if clicked {
+        response.request_focus();
+        if desk.state.tool.selects() && is_free {
+            desk.send(Command::Select(under));
+        }
+    }
+    focus::show(painter, response, clicked, frame, snapshot, desk);
+    draw_marks(painter, frame, snapshot, desk, under);
+    gizmo.draw(painter, response, frame, desk);
+    if response.has_focus() {
+        let color = ui.visuals().selection.stroke.color.gamma_multiply(0.4);
+        painter.rect_stroke(response.rect, 0.0, Stroke::new(1.0, color), StrokeKind::Inside);
+    }
+    navigation.store(ui.ctx());
+    gizmo.store(ui.ctx());
+}
+
 /// Whether a drag in the picture is going on that Escape takes back.
 pub(crate) fn is_dragging(ctx: &Context) -> bool {
-    Navigation::load(ctx).is_dragging()
+    Navigation::load(ctx).is_dragging() || Gizmo::load(ctx).is_dragging()
 }
 
 /// Outlines of what is selected and pointed at, and the lamps.

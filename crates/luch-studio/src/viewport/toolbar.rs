@@ -8,13 +8,19 @@ pub(super) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
     let texts = desk.texts;
     Frame::new().inner_margin(egui::Margin::symmetric(8, 4)).show(ui, |ui| {
         ui.horizontal(|ui| {
-            let tools = [
-                (Tool::Select, texts.tool_select(), texts.tool_select_tip()),
-                (Tool::Focus, texts.tool_focus(), texts.tool_focus_tip()),
-            ];
-            for (tool, name, tip) in tools {
-                if ui.selectable_label(desk.state.tool == tool, name).on_hover_text(tip).clicked() {
-                    desk.send(Command::SetTool(tool));
+            for tool in Tool::ALL {
+                let command = Command::SetTool(tool);
+                let tip = match tool {
+                    Tool::Select => texts.tool_select_tip(),
+                    Tool::Move => texts.tool_move_tip(),
+                    Tool::Rotate => texts.tool_rotate_tip(),
+                    Tool::Scale => texts.tool_scale_tip(),
+                    Tool::Focus => texts.tool_focus_tip(),
+                };
+                let key = command.shortcut().map(|key| ui.ctx().format_shortcut(&key)).unwrap_or_default();
+                let button = ui.selectable_label(desk.state.tool == tool, command.label(texts));
+                if button.on_hover_text(format!("{tip} ({key})")).clicked() {
+                    desk.send(command);
                 }
             }
             ui.separator();

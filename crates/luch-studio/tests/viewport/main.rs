@@ -4,5 +4,6 @@
 mod support;
 
 mod focus;
+mod gizmo;
 mod mouse;
 mod navigation;

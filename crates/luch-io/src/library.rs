@@ -6,7 +6,7 @@ use crate::error::{Error, ErrorKind, Result};
 use crate::obj;
 use crate::report::Report;
 use crate::resolve::{Found, MAX_MESH_BYTES, MAX_TEXT_BYTES, SceneFile, SceneFolder};
-use luch_scene::{Mesh, MeshData};
+use luch_scene::{Mesh, MeshData, MeshId};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
@@ -18,7 +18,22 @@ use std::time::SystemTime;
 /// whole run, by the first scene that needs them.
 #[derive(Debug, Default)]
 pub struct MeshLibrary {
-    meshes: HashMap<Key, Arc<Mesh>>,
+    meshes: HashMap<Key, Held>,
+}
+
+#[derive(Debug)]
+struct Held {
+    mesh: Arc<Mesh>,
+    files: ModelFiles,
+}
+
+/// The files that a mesh was read from.
+#[derive(Debug, Clone)]
+pub struct ModelFiles {
+    /// The model.
+    pub model: SceneFile,
+    /// The material libraries that it named and that could be read.
+    pub libraries: Vec<SceneFile>,
 }
 
 #[derive(Debug, PartialEq, Eq, Hash)]
@@ -65,28 +80,67 @@ impl MeshLibrary {
         budget: &mut Budget,
         report: &mut Report,
     ) -> Result<Arc<Mesh>> {
-        let key = Key { path: file.path().to_owned(), bytes: file.bytes(), modified: file.modified() };
-        if let Some(mesh) = self.meshes.get(&key) {
-            return Ok(Arc::clone(mesh));
+        let key = Key::of(file);
+        if let Some(held) = self.meshes.get(&key) {
+            return Ok(Arc::clone(&held.mesh));
         }
         let bytes = file.read(MAX_MESH_BYTES, budget)?;
-        let mut open = |name: &str, budget: &mut Budget| folder.find_beside(file, name)?.read(MAX_TEXT_BYTES, budget);
+        let mut libraries: Vec<SceneFile> = Vec::new();
+        let mut open = |name: &str, budget: &mut Budget| {
+            let library = folder.find_beside(file, name)?;
+            let text = library.read(MAX_TEXT_BYTES, budget)?;
+            libraries.push(library);
+            Ok(text)
+        };
         let data = obj::read(bytes, file.shown(), &mut open, budget, report)?;
         let mesh = Arc::new(checked(data, file.shown())?);
-        self.meshes.insert(key, Arc::clone(&mesh));
+        let files = ModelFiles { model: file.clone(), libraries };
+        self.meshes.insert(key, Held { mesh: Arc::clone(&mesh), files });
         Ok(mesh)
+    }
+
+    /// The places on disk that a mesh was read from or copied to; none for a model inside the program.
+    pub(crate) fn places_of(&self, mesh: MeshId) -> impl Iterator<Item = &ModelFiles> {
+        self.meshes.values().filter(move |held| held.mesh.id() == mesh).map(|held| &held.files)
+    }
+
+    /// Notes that files hold the mesh, too.
+    pub(crate) fn add_place(&mut self, mesh: &Arc<Mesh>, files: ModelFiles) {
+        self.meshes.insert(Key::of(&files.model), Held { mesh: Arc::clone(mesh), files });
     }
 
     /// Forgets the meshes that no scene holds any more.
     pub fn forget_unused(&mut self) {
-        self.meshes.retain(|_, mesh| Arc::strong_count(mesh) > 1);
+        // A mesh that was copied is held once for each of its files.
+        let mut held: HashMap<MeshId, usize> = HashMap::new();
+        for known in self.meshes.values() {
+            let count = held.entry(known.mesh.id()).or_default();
+            *count = count.saturating_add(1);
+        }
+        self.meshes
+            .retain(|_, known| Arc::strong_count(&known.mesh) > held.get(&known.mesh.id()).copied().unwrap_or(0));
     }
 }
 
+impl Key {
+    fn of(file: &SceneFile) -> Self {
+        Self { path: file.path().to_owned(), bytes: file.bytes(), modified: file.modified() }
+    }
+}
+
+/// The model inside the program that a mesh was read from.
+pub(crate) fn built_in_of(mesh: MeshId) -> Option<&'static BuiltInModel> {
+    let is_it = |read: &OnceLock<Result<Arc<Mesh>>>| matches!(read.get(), Some(Ok(known)) if known.id() == mesh);
+    let place = MESHES.iter().position(is_it)?;
+    BUILT_IN_MODELS.get(place)
+}
+
+/// The models inside the program, as far as they were read.
+static MESHES: [OnceLock<Result<Arc<Mesh>>>; BUILT_IN_MODELS.len()] =
+    [const { OnceLock::new() }; BUILT_IN_MODELS.len()];
+
 /// A model inside the program: read at the first call, shared from then on.
 fn built_in(model: &'static BuiltInModel) -> Result<Arc<Mesh>> {
-    static MESHES: [OnceLock<Result<Arc<Mesh>>>; BUILT_IN_MODELS.len()] =
-        [const { OnceLock::new() }; BUILT_IN_MODELS.len()];
     let file = Path::new(model.path);
     let read = || {
         let mut no_library = |name: &str, _: &mut Budget| Err(Error::new(ErrorKind::Forbidden, name, "no such file"));

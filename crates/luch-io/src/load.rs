@@ -37,15 +37,34 @@ impl SceneSource {
         if !word.exists() {
             return Err(unknown(word));
         }
-        let extension = word.extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default();
-        match extension.as_str() {
-            _ if word.is_dir() => Err(Error::new(ErrorKind::Forbidden, word, "is a folder, not a scene")),
-            "toml" => Ok(Self::File(word.to_owned())),
-            "obj" => Ok(Self::Model(word.to_owned())),
-            _ => Err(Error::new(ErrorKind::Malformed, word, "is neither a scene file (.toml) nor a model (.obj)")
-                .hint(format!("the built-in scenes are: {}", list()))),
+        if word.is_dir() {
+            return Err(Error::new(ErrorKind::Forbidden, word, "is a folder, not a scene"));
+        }
+        Self::of_path(word).ok_or_else(|| neither(word).hint(format!("the built-in scenes are: {}", list())))
+    }
+
+    /// What a path names by its ending, `.toml` or `.obj`, in capital or small letters. The disk is not looked at.
+    #[must_use]
+    pub fn of_path(path: &Path) -> Option<Self> {
+        match path.extension()?.to_string_lossy().to_lowercase().as_str() {
+            "toml" => Some(Self::File(path.to_owned())),
+            "obj" => Some(Self::Model(path.to_owned())),
+            _ => None,
         }
     }
+
+    /// The file that is read; `None` for a scene inside the program.
+    #[must_use]
+    pub fn path(&self) -> Option<&Path> {
+        match self {
+            Self::BuiltIn(_) => None,
+            Self::File(path) | Self::Model(path) => Some(path),
+        }
+    }
+}
+
+fn neither(path: &Path) -> Error {
+    Error::new(ErrorKind::Malformed, path, "is neither a scene file (.toml) nor a model (.obj)")
 }
 
 /// Loads the scene, its meshes from `library` or into it.
@@ -75,6 +94,9 @@ fn load_file(path: &Path, library: &mut MeshLibrary, budget: &mut Budget, report
     // Measured: while a text is read, its objects and names take up to ten times its bytes.
     const GROWTH: u64 = 10;
     let file = SceneFile::of_user(path)?;
+    if SceneSource::of_path(path).is_none() {
+        return Err(neither(path));
+    }
     let folder = SceneFolder::of_file(path)?;
     let bytes = file.read(MAX_TEXT_BYTES, budget)?;
     let objects = u64::try_from(bytes.len()).unwrap_or(u64::MAX).saturating_mul(GROWTH);

@@ -34,6 +34,30 @@ pub fn scene_of_model(
     Ok(around(&mesh, &file_name))
 }
 
+/// A model to be put into a scene that is there already.
+#[derive(Debug, Clone)]
+pub struct Model {
+    /// Its file's name without the ending.
+    pub name: String,
+    /// The triangles.
+    pub mesh: Arc<Mesh>,
+    /// A path to name it by until the scene is saved.
+    pub path: String,
+    /// Its look, where its file says nothing.
+    pub material: Material,
+}
+
+/// Reads a model to be put into a scene.
+///
+/// # Errors
+/// As [`scene_of_model`].
+pub fn load_model(path: &Path, library: &mut MeshLibrary, budget: &mut Budget, report: &mut Report) -> Result<Model> {
+    let (file, folder) = (SceneFile::of_user(path)?, SceneFolder::of_file(path)?);
+    let mesh = library.mesh_of_file(&folder, &file, budget, report)?;
+    let file_name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
+    Ok(Model { name: shown_name(&file_name), material: look(&mesh), path: encode_name(&file_name), mesh })
+}
+
 /// The scene around a mesh that came from the file `file_name`.
 #[must_use]
 pub fn around(mesh: &Arc<Mesh>, file_name: &str) -> Scene {

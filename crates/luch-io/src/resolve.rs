@@ -73,6 +73,27 @@ impl SceneFolder {
         &self.shown
     }
 
+    /// The folder without symbolic links; `None` for that of the scenes inside the program.
+    pub(crate) fn root(&self) -> Option<&Path> {
+        self.root.as_deref()
+    }
+
+    /// The name by which a scene of this folder names the file at `path`, which has no symbolic links. `None` if the file
+    /// does not lie in the folder, or if its name is none that a scene may write.
+    pub(crate) fn name_of(&self, path: &Path) -> Option<String> {
+        let inside = path.strip_prefix(self.root.as_ref()?).ok()?;
+        let parts: Vec<String> = inside.iter().map(|part| part.to_str().map(str::to_owned)).collect::<Option<_>>()?;
+        let name = encode_name(&parts.join("/"));
+        (components_of(&[], &name) == Ok(parts)).then_some(name)
+    }
+
+    /// Where a name leads to, whether or not there is a file.
+    pub(crate) fn place_of(&self, name: &str) -> Option<PathBuf> {
+        let inside = components_of(&[], name).ok()?;
+        let path = self.root.as_ref()?.join(inside.iter().collect::<PathBuf>());
+        Some(std::fs::canonicalize(&path).unwrap_or(path))
+    }
+
     /// Looks up a name that the scene file writes.
     ///
     /// # Errors

@@ -1,7 +1,9 @@
 //! Everything that a person can make the window do. Panels queue commands; `studio` applies them, nothing else does.
 
 use crate::dialogs::Dialog;
+use crate::files::{FileQuestion, Purpose};
 use crate::l10n::{Language, Texts};
+use crate::placement::Addition;
 use crate::selection::Part;
 use crate::study::StudyCommand;
 use crate::undo::Gesture;
@@ -9,6 +11,7 @@ use crate::view::Pose;
 use egui::{Key, KeyboardShortcut, Modifiers, ThemePreference};
 use luch_io::SceneSource;
 use luch_scene::{Edit, Positive};
+use std::path::PathBuf;
 
 /// What the mouse does in the picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -53,8 +56,43 @@ pub(crate) enum Command {
     New,
     /// Load a scene in place of the one at hand.
     Open(SceneSource),
+    /// Ask for a scene or model to open.
+    OpenDialog,
+    /// Load the scene or model of a path that a dialog asked for.
+    OpenPath(PathBuf),
     /// Write the scene to its file, or ask for one.
     Save,
+    /// Ask for a file to write the scene to.
+    SaveAs,
+    /// Write the scene to a file.
+    SaveTo {
+        /// The file.
+        path: PathBuf,
+        /// Whether a file that is there may be replaced.
+        replace: bool,
+        /// What to do when it is written.
+        then: Option<Box<Command>>,
+    },
+    /// Save the scene, then do something.
+    SaveThen(Box<Command>),
+    /// Do something although changes are lost by it.
+    Discard(Box<Command>),
+    /// Put something new into the scene.
+    Add(Addition),
+    /// Ask for a model to put into the scene.
+    AddModelDialog,
+    /// Make a camera of what is seen.
+    AddCamera,
+    /// Read models and put them into the scene.
+    AddModels(Vec<PathBuf>),
+    /// Look what lies in a folder.
+    ListFolder(PathBuf, Purpose),
+    /// Open the system's dialog.
+    Browse(FileQuestion),
+    /// The answer of the system's dialog was taken.
+    ForgetChosen,
+    /// What was wrong with the last input has been typed over.
+    ForgetComplaint,
     /// Change the scene.
     Edit(Edit, Gesture),
     /// Take back the gesture of this name that is going on, as if it had never been made.
@@ -115,6 +153,10 @@ const fn ctrl(key: Key) -> KeyboardShortcut {
     KeyboardShortcut::new(Modifiers::COMMAND, key)
 }
 
+const fn ctrl_shift(key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(Modifiers::COMMAND.plus(Modifiers::SHIFT), key)
+}
+
 const fn plain(key: Key) -> KeyboardShortcut {
     KeyboardShortcut::new(Modifiers::NONE, key)
 }
@@ -124,7 +166,9 @@ impl Command {
     pub(crate) fn with_shortcuts() -> Vec<Self> {
         vec![
             Self::New,
+            Self::OpenDialog,
             Self::Save,
+            Self::SaveAs,
             Self::Quit,
             Self::Undo,
             Self::Redo,
@@ -150,10 +194,12 @@ impl Command {
     pub(crate) const fn shortcut(&self) -> Option<KeyboardShortcut> {
         Some(match self {
             Self::New => ctrl(Key::N),
+            Self::OpenDialog => ctrl(Key::O),
             Self::Save => ctrl(Key::S),
+            Self::SaveAs => ctrl_shift(Key::S),
             Self::Quit => ctrl(Key::Q),
             Self::Undo => ctrl(Key::Z),
-            Self::Redo => KeyboardShortcut::new(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::Z),
+            Self::Redo => ctrl_shift(Key::Z),
             Self::Duplicate => ctrl(Key::D),
             Self::Delete => plain(Key::Delete),
             Self::ToggleHidden => plain(Key::H),
@@ -177,7 +223,12 @@ impl Command {
     pub(crate) fn label(&self, texts: &Texts) -> String {
         match self {
             Self::New => texts.command_new(),
+            Self::OpenDialog => texts.command_open(),
             Self::Save => texts.command_save(),
+            Self::SaveAs => texts.command_save_as(),
+            Self::Add(what) => what.name(texts),
+            Self::AddModelDialog => texts.command_add_model(),
+            Self::AddCamera => texts.command_add_camera(),
             Self::Quit => texts.command_quit(),
             Self::Undo => texts.command_undo(),
             Self::Redo => texts.command_redo(),

@@ -8,11 +8,13 @@
 mod command;
 mod dialogs;
 mod document;
+mod files;
 mod l10n;
 mod loader;
 mod notices;
 mod panels;
 mod panics;
+mod placement;
 mod preferences;
 mod render_link;
 mod selection;
@@ -26,6 +28,7 @@ mod view;
 mod viewport;
 mod widgets;
 
+pub use files::{ChooseFile, FileQuestion};
 pub use studio::{Start, Studio};
 
 /// The name under which the system keeps the window's preferences.

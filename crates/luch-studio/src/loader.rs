@@ -1,5 +1,7 @@
 //! Loads scenes on a thread of its own, so that the window never waits for a file.
 
+use crate::document::Stamp;
+use crate::files::Library;
 use luch_io::budget::Budget;
 use luch_io::library::MeshLibrary;
 use luch_io::{Error, Report, SceneSource, load_scene};
@@ -15,6 +17,10 @@ pub(crate) struct Loaded {
     pub(crate) source: SceneSource,
     pub(crate) scene: Result<Scene, LoadFailure>,
     pub(crate) warnings: Vec<String>,
+    /// Which state the scene at hand was in when the load began.
+    pub(crate) over: Stamp,
+    /// Whether there is no such file.
+    pub(crate) missing: bool,
 }
 
 /// Why there is no scene.
@@ -29,7 +35,7 @@ pub(crate) enum LoadFailure {
 /// The loads under way. The newest wins; older ones are stopped.
 #[derive(Debug)]
 pub(crate) struct Loader {
-    library: Arc<Mutex<MeshLibrary>>,
+    library: Library,
     running: Option<Running>,
 }
 
@@ -48,19 +54,25 @@ impl Loader {
         Self { library: Arc::new(Mutex::new(MeshLibrary::new())), running: None }
     }
 
-    /// Starts to load; `wake` is called when [`Loader::poll`] has something to answer.
+    /// The meshes that were read.
+    pub(crate) fn library(&self) -> Library {
+        Arc::clone(&self.library)
+    }
+
+    /// Starts to load in place of the scene in the state `over`; `wake` is called when [`Loader::poll`] has something to answer.
     ///
     /// # Errors
     /// If the system gives no thread.
     pub(crate) fn start(
         &mut self,
         source: SceneSource,
+        over: Stamp,
         wake: impl FnOnce() + Send + 'static,
     ) -> Result<(), std::io::Error> {
         self.stop();
         let (send, answer) = sync_channel(1);
         let stop = Arc::new(AtomicBool::new(false));
-        let work = Work { source: source.clone(), library: Arc::clone(&self.library), stop: Arc::clone(&stop) };
+        let work = Work { source: source.clone(), library: self.library(), over, stop: Arc::clone(&stop) };
         thread::Builder::new().name("luch-loader".into()).spawn(move || {
             work.run(&send);
             wake();
@@ -98,7 +110,8 @@ impl Drop for Loader {
 /// One load: everything that its thread needs.
 struct Work {
     source: SceneSource,
-    library: Arc<Mutex<MeshLibrary>>,
+    library: Library,
+    over: Stamp,
     stop: Arc<AtomicBool>,
 }
 
@@ -115,14 +128,20 @@ impl Work {
             Ok(scene) => scene.map_err(LoadFailure::File),
             Err(panic) => Err(LoadFailure::Internal(crate::panics::message(panic.as_ref()))),
         };
+        let missing = scene.is_err() && self.source.path().is_some_and(|path| !path.exists());
         // A load that was stopped has nobody to answer to.
-        let _ = answer.send(Loaded { source: self.source, scene, warnings: report.lines() });
+        let _ = answer.send(Loaded { source: self.source, scene, warnings: report.lines(), over: self.over, missing });
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::document::Document;
+
+    fn stamp() -> Stamp {
+        Document::untitled(Scene::new("s"), None, false).stamp()
+    }
 
     #[test]
     fn the_newest_load_is_the_one_that_answers() {
@@ -130,7 +149,7 @@ mod tests {
         let (done, wait) = sync_channel(3);
         for id in ["chess", "knight", "two-spheres"] {
             let done = done.clone();
-            loader.start(SceneSource::BuiltIn(id), move || _ = done.send(id)).unwrap();
+            loader.start(SceneSource::BuiltIn(id), stamp(), move || _ = done.send(id)).unwrap();
         }
         let mut ended: Vec<_> = (0..3).map(|_| wait.recv().unwrap()).collect();
         ended.sort_unstable();
@@ -145,9 +164,11 @@ mod tests {
     fn a_file_that_is_not_there_is_an_error_with_its_name() {
         let mut loader = Loader::new();
         let (done, wait) = sync_channel(1);
-        loader.start(SceneSource::File("nowhere.toml".into()), move || _ = done.send(())).unwrap();
+        loader.start(SceneSource::File("nowhere.toml".into()), stamp(), move || _ = done.send(())).unwrap();
         wait.recv().unwrap();
-        let Err(LoadFailure::File(error)) = loader.poll().unwrap().scene else { panic!("it was read") };
+        let loaded = loader.poll().unwrap();
+        assert!(loaded.missing);
+        let Err(LoadFailure::File(error)) = loaded.scene else { panic!("it was read") };
         assert!(error.to_string().contains("nowhere.toml"));
     }
 }

@@ -40,7 +40,7 @@ impl Notices {
 
     /// Shows a notice. One with the same words is shown once.
     pub(crate) fn add(&mut self, severity: Severity, title: impl Into<String>, details: impl Into<String>) {
-        let (title, details) = (title.into(), details.into());
+        let (title, details) = (title.into(), drawable(&details.into()));
         self.list.retain(|known| (&known.title, &known.details) != (&title, &details));
         let ends = (severity == Severity::Done).then(|| Instant::now() + Self::DONE);
         self.list.push(Notice { id: self.next, severity, title, details, ends });
@@ -66,6 +66,11 @@ impl Notices {
     pub(crate) fn iter(&self) -> impl Iterator<Item = &Notice> {
         self.list.iter()
     }
+}
+
+/// The text without the sign for what is no text, which the fonts do not have.
+pub(crate) fn drawable(text: &str) -> String {
+    text.replace(char::REPLACEMENT_CHARACTER, "?")
 }
 
 #[cfg(test)]

@@ -91,6 +91,11 @@ impl Preferences {
         self.recent.insert(0, path.to_owned());
         self.recent.truncate(Self::RECENT);
     }
+
+    /// Takes a file out of the recent ones: it is no longer there.
+    pub(crate) fn forget(&mut self, path: &Path) {
+        self.recent.retain(|known| known != path);
+    }
 }
 
 /// Threads that the machine runs at once.

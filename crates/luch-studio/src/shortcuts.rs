@@ -10,8 +10,10 @@ pub(crate) fn take(ctx: &Context, desk: &mut Desk<'_>) {
         return;
     }
     let typing = ctx.text_edit_focused();
-    for command in Command::with_shortcuts() {
-        let Some(shortcut) = command.shortcut() else { continue };
+    let mut keys: Vec<_> = Command::with_shortcuts().into_iter().filter_map(|c| Some((c.shortcut()?, c))).collect();
+    // A key counts with Shift held, too: the one that wants it comes first.
+    keys.sort_by_key(|(shortcut, _)| !shortcut.modifiers.shift);
+    for (shortcut, command) in keys {
         // A plain key belongs to the field that is typed into.
         if typing && shortcut.modifiers == Modifiers::NONE && !is_function_key(shortcut.logical_key) {
             continue;

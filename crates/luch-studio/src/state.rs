@@ -3,6 +3,7 @@
 use crate::command::{Command, Tool, Zoom};
 use crate::dialogs::Dialog;
 use crate::document::Document;
+use crate::files::Files;
 use crate::l10n::Texts;
 use crate::notices::Notices;
 use crate::preferences::Preferences;
@@ -25,6 +26,8 @@ pub(crate) struct State {
     pub(crate) notices: Notices,
     pub(crate) study: StudyDesk,
     pub(crate) dialog: Option<Dialog>,
+    /// What was wrong with the last input of the dialog.
+    pub(crate) complaint: Option<String>,
     /// Whether a person who has not read the hints of the first run is to see them.
     pub(crate) hints: bool,
     /// Whether there are changes that no picture shows, because live update is off.
@@ -47,6 +50,7 @@ pub(crate) struct Desk<'a> {
     pub(crate) state: &'a State,
     pub(crate) texts: &'a Texts,
     pub(crate) render: &'a RenderLink,
+    pub(crate) files: &'a Files,
     /// The scene that is being loaded.
     pub(crate) loading: Option<&'a SceneSource>,
     pub(crate) commands: &'a mut Vec<Command>,

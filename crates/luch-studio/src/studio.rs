@@ -1,12 +1,15 @@
 //! The studio: takes in what happened, shows the panels, applies the commands that they queued.
 
+mod adding;
+mod files;
 mod looking;
 
 use crate::command::Command;
-use crate::dialogs;
+use crate::dialogs::{self, Dialog};
 use crate::document::Document;
+use crate::files::{ChooseFile, Files, Purpose};
 use crate::l10n::{self, Texts};
-use crate::loader::{LoadFailure, Loaded, Loader};
+use crate::loader::Loader;
 use crate::notices::{Notices, Severity};
 use crate::panels;
 use crate::preferences::Preferences;
@@ -18,11 +21,10 @@ use crate::study::{self, Outcome, StudyCommand, StudyDesk};
 use crate::undo::Gesture;
 use crate::view::View;
 use crate::viewport;
-use egui::{Context, Ui, ViewportCommand};
+use egui::{Context, Ui};
 use luch_io::SceneSource;
 use luch_render::session::live::LivePhase;
 use luch_scene::{Aim, Camera, Edit, EditError, Light, Point, Scene};
-use std::path::Path;
 use std::time::{Duration, Instant};
 
 /// How often progress is drawn while a picture is made.
@@ -37,6 +39,8 @@ pub struct Start {
     pub language: Option<String>,
     /// Whether to greet who opens the window for the first time.
     pub hints: bool,
+    /// Asks for a file in place of the system's dialog.
+    pub choose_file: Option<ChooseFile>,
 }
 
 /// The window's application.
@@ -45,9 +49,14 @@ pub struct Studio {
     texts: Texts,
     render: RenderLink,
     loader: Loader,
+    files: Files,
     commands: Vec<Command>,
     /// Whether what is seen differs from what was asked for last.
     stale: bool,
+    /// Whether the window is to be closed, whatever is unsaved.
+    leaving: bool,
+    /// What the window's frame says.
+    title: String,
 }
 
 impl Studio {
@@ -71,6 +80,7 @@ impl Studio {
             zoom: crate::command::Zoom::default(),
             notices: Notices::default(),
             dialog: None,
+            complaint: None,
             hints: start.hints,
             pending: false,
             study: StudyDesk::default(),
@@ -78,9 +88,12 @@ impl Studio {
         };
         let texts = state.preferences.language.load();
         let render = RenderLink::start(&creation.egui_ctx)?;
-        let mut studio = Self { state, texts, render, loader: Loader::new(), commands: Vec::new(), stale: true };
+        let loader = Loader::new();
+        let files = Files::new(loader.library(), start.choose_file);
+        let (commands, title) = (Vec::new(), String::new());
+        let mut studio = Self { state, texts, render, loader, files, commands, stale: true, leaving: false, title };
         if let Some(source) = start.scene.filter(|source| *source != SceneSource::BuiltIn(FIRST)) {
-            studio.open(&creation.egui_ctx, source);
+            studio.load(&creation.egui_ctx, source);
         }
         Ok(studio)
     }
@@ -88,11 +101,8 @@ impl Studio {
     /// Whether nothing is under way: no load, no picture, no study, no command.
     #[must_use]
     pub fn is_settled(&self) -> bool {
-        self.loader.source().is_none()
-            && !self.state.study.is_busy()
-            && self.commands.is_empty()
-            && !self.stale
-            && self.render.is_settled()
+        let idle = self.loader.source().is_none() && self.files.is_idle() && !self.state.study.is_busy();
+        idle && self.commands.is_empty() && !self.stale && self.render.is_settled()
     }
 
     /// The picture that is shown: width, height, red, green, blue and alpha of each pixel, rows from the top.
@@ -121,9 +131,7 @@ impl Studio {
 
     /// Takes in what the loader and the renderer have done since the last frame.
     fn take_in(&mut self, ctx: &Context) {
-        if let Some(loaded) = self.loader.poll() {
-            self.take_scene(loaded);
-        }
+        self.take_files(ctx);
         self.render.poll(ctx);
         if let Some(message) = self.render.failure() {
             self.state.notices.error(self.texts.notice_render_failed(), message);
@@ -142,41 +150,12 @@ impl Studio {
         }
     }
 
-    fn take_scene(&mut self, Loaded { source, scene, warnings }: Loaded) {
-        match scene {
-            Ok(mut scene) => {
-                if scene.cameras.is_empty() {
-                    scene.cameras.push(default_camera(&scene));
-                }
-                if let SceneSource::File(path) | SceneSource::Model(path) = &source {
-                    self.state.preferences.remember(path);
-                }
-                self.replace(Document::opened(scene, source));
-                if !warnings.is_empty() {
-                    let title = self.texts.notice_loaded_with_warnings();
-                    self.state.notices.add(Severity::Warning, title, warnings.join("\n"));
-                }
-            }
-            Err(LoadFailure::File(error)) => {
-                self.state.notices.error(self.texts.notice_not_loaded(), error.to_string());
-            }
-            Err(LoadFailure::Internal(message)) => self.state.notices.error(self.texts.notice_internal(), message),
-        }
-    }
-
     /// Shows another document in place of the one at hand.
     fn replace(&mut self, document: Document) {
         self.state.document = document;
         self.state.view = View::default();
         self.state.selection = None;
         self.show_anew();
-    }
-
-    fn open(&mut self, ctx: &Context, source: SceneSource) {
-        let wake = ctx.clone();
-        if let Err(error) = self.loader.start(source, move || wake.request_repaint()) {
-            self.state.notices.error(self.texts.notice_internal(), error.to_string());
-        }
     }
 
     /// Notes that what is seen has changed: a new picture starts, or waits for the button.
@@ -204,25 +183,38 @@ impl Studio {
         }
     }
 
-    /// Writes the scene to the file that it came from.
-    fn save_to_file(&mut self) {
-        let Some(path) = self.state.document.file().map(Path::to_owned) else { return };
-        let text = luch_io::write_scene(self.state.document.scene());
-        match luch_io::atomic_save::save(&path, |file| file.write_all(text.as_bytes())) {
-            Ok(()) => {
-                self.state.document.saved(&path);
-                self.state.notices.add(Severity::Done, self.texts.notice_saved(), path.display().to_string());
-            }
-            Err(error) => self.state.notices.error(self.texts.notice_not_saved(), error.to_string()),
-        }
-    }
-
     /// The one place where the window's state changes.
     fn apply(&mut self, command: Command, ctx: &Context) {
         match command {
-            Command::New => self.replace(Document::untitled(new_scene(&self.texts), None, false)),
-            Command::Open(source) => self.open(ctx, source),
-            Command::Save => self.save_to_file(),
+            Command::New | Command::Open(_) | Command::OpenDialog | Command::Quit => self.unless_unsaved(command, ctx),
+            Command::Discard(command) => {
+                self.close_dialog(ctx);
+                self.replace_scene(*command, ctx);
+            }
+            Command::OpenPath(path) => self.load_path(ctx, path),
+            Command::Save => self.save(None, ctx),
+            Command::SaveAs => self.open_dialog(Dialog::Path { purpose: Purpose::Save, then: None }, ctx),
+            Command::SaveTo { path, replace, then } => self.save_to(path, replace, then, ctx),
+            Command::SaveThen(command) => {
+                self.close_dialog(ctx);
+                self.save(Some(command), ctx);
+            }
+            Command::Add(what) => self.add(what),
+            Command::AddModelDialog => {
+                self.open_dialog(Dialog::Path { purpose: Purpose::AddModel, then: None }, ctx);
+            }
+            Command::AddModels(paths) => self.add_models(paths, ctx),
+            Command::AddCamera => self.add_camera(),
+            Command::ListFolder(folder, purpose) => {
+                let started = self.files.list(folder, purpose, ctx);
+                self.tell_internal(started);
+            }
+            Command::Browse(question) => {
+                let started = self.files.choose(question, ctx);
+                self.tell_internal(started);
+            }
+            Command::ForgetChosen => self.files.forget_chosen(),
+            Command::ForgetComplaint => self.state.complaint = None,
             Command::Edit(edit, gesture) => self.edit(edit, gesture),
             Command::TakeBack(gesture) => self.change_scene(|document| document.take_back(gesture)),
             Command::Undo => self.turn(Document::undo),
@@ -242,6 +234,7 @@ impl Studio {
             Command::Render => self.show_anew(),
             Command::Cancel => {
                 self.loader.stop();
+                self.files.stop_adding();
                 self.render.stop();
             }
             Command::SetLive(live) => {
@@ -264,12 +257,21 @@ impl Studio {
             }
             Command::SetTool(tool) => self.state.tool = tool,
             Command::SetZoom(zoom) => self.state.zoom = zoom,
-            Command::Show(dialog) => self.state.dialog = Some(dialog),
-            Command::CloseDialog => self.state.dialog = None,
+            Command::Show(dialog) => {
+                self.state.dialog = Some(dialog);
+                self.state.complaint = None;
+            }
+            Command::CloseDialog => self.close_dialog(ctx),
             Command::HintsRead => self.state.preferences.hints_read = true,
             Command::DismissNotice(id) => self.state.notices.dismiss(id),
             Command::Study(command) => self.study(command, ctx),
-            Command::Quit => ctx.send_viewport_cmd(ViewportCommand::Close),
+        }
+    }
+
+    /// Tells that the system gave no thread.
+    fn tell_internal(&mut self, started: std::io::Result<()>) {
+        if let Err(error) = started {
+            self.state.notices.error(self.texts.notice_internal(), error.to_string());
         }
     }
 
@@ -288,9 +290,7 @@ impl Studio {
             }
             StudyCommand::Save(folder) => self.state.study.save(folder, self.state.preferences.language, wake),
         };
-        if let Err(error) = begun {
-            self.state.notices.error(self.texts.notice_internal(), error.to_string());
-        }
+        self.tell_internal(begun);
     }
 
     fn edit(&mut self, edit: Edit, gesture: Gesture) {
@@ -337,6 +337,7 @@ impl Studio {
 impl eframe::App for Studio {
     fn logic(&mut self, ctx: &Context, _frame: &mut eframe::Frame) {
         self.take_in(ctx);
+        self.answer_close(ctx);
     }
 
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
@@ -346,6 +347,7 @@ impl eframe::App for Studio {
             state: &self.state,
             texts: &self.texts,
             render: &self.render,
+            files: &self.files,
             loading: self.loader.source(),
             commands: &mut commands,
         };
@@ -361,6 +363,7 @@ impl eframe::App for Studio {
             self.state.document.end_gesture();
         }
         self.ask();
+        self.show_title(&ctx);
         self.schedule(&ctx);
     }
 

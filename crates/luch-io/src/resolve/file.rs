@@ -65,7 +65,7 @@ impl SceneFile {
     }
 
     /// Folders and file name below the fence.
-    pub(super) fn inside(&self) -> &[String] {
+    pub(crate) fn inside(&self) -> &[String] {
         &self.inside
     }
 

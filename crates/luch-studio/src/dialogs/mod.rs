@@ -1,12 +1,17 @@
 //! What asks or tells: windows over the picture, one at a time.
 
 mod about;
+mod path;
+mod path_field;
 mod shortcuts;
+mod unsaved;
 
 use crate::command::Command;
+use crate::files::Purpose;
 use crate::l10n::Texts;
 use crate::state::Desk;
-use egui::{Context, Id, Modal};
+use egui::{Button, Context, Id, Modal};
+use std::path::PathBuf;
 
 /// A dialog. What is typed into it is its own business; only what is decided becomes a command.
 #[derive(Debug, Clone, PartialEq)]
@@ -15,6 +20,24 @@ pub(crate) enum Dialog {
     About,
     /// All keys and what the mouse does.
     Shortcuts,
+    /// Asks for a path.
+    Path {
+        /// What it is for.
+        purpose: Purpose,
+        /// What to do when the file is written.
+        then: Option<Box<Command>>,
+    },
+    /// Asks what to do with unsaved changes before something is done.
+    Unsaved(Box<Command>),
+    /// Asks whether a file may be replaced.
+    Replace {
+        /// The file.
+        path: PathBuf,
+        /// What replaces it.
+        replace: Box<Command>,
+        /// What asks for another name.
+        back: Box<Command>,
+    },
 }
 
 impl Dialog {
@@ -23,7 +46,17 @@ impl Dialog {
         match self {
             Self::About => texts.dialog_about(),
             Self::Shortcuts => texts.dialog_shortcuts(),
+            Self::Path { purpose, .. } => purpose.title(texts),
+            Self::Unsaved(_) => texts.dialog_unsaved(),
+            Self::Replace { .. } => texts.dialog_replace(),
         }
+    }
+}
+
+/// Forgets what was typed into dialogs that are closed.
+pub(crate) fn forget(ctx: &Context) {
+    for purpose in [Purpose::Open, Purpose::Save, Purpose::AddModel, Purpose::Export] {
+        path_field::forget(ctx, purpose);
     }
 }
 
@@ -32,12 +65,15 @@ pub(crate) fn show(ctx: &Context, desk: &mut Desk<'_>) {
     let Some(dialog) = desk.state.dialog.clone() else { return };
     let title = dialog.label(desk.texts);
     let response = Modal::new(Id::unique("dialog")).show(ctx, |ui| {
-        ui.set_max_width(520.0);
+        ui.set_max_width(560.0);
         ui.heading(title);
         ui.separator();
         match &dialog {
             Dialog::About => about::show(ui, desk),
             Dialog::Shortcuts => shortcuts::show(ui, desk),
+            Dialog::Path { purpose, then } => path::show(ui, desk, *purpose, then.as_deref()),
+            Dialog::Unsaved(command) => unsaved::show(ui, desk, command),
+            Dialog::Replace { path, replace, back } => unsaved::show_replace(ui, desk, path, replace, back),
         }
     });
     if response.should_close() {
@@ -53,4 +89,16 @@ fn close_button(ui: &mut egui::Ui, desk: &mut Desk<'_>) {
             desk.send(Command::CloseDialog);
         }
     });
+}
+
+/// A button that does it and one that does not, at the right; answers which was pressed.
+fn two_buttons(ui: &mut egui::Ui, yes: &str, enabled: bool, no: &str) -> Option<bool> {
+    ui.add_space(8.0);
+    ui.with_layout(egui::Layout::right_to_left(egui::Align::Min), |ui| {
+        let size = egui::vec2(110.0, 0.0);
+        let refused = ui.add(Button::new(no).min_size(size)).clicked();
+        let agreed = ui.add_enabled(enabled, Button::new(egui::RichText::new(yes).strong()).min_size(size)).clicked();
+        if agreed { Some(true) } else { refused.then_some(false) }
+    })
+    .inner
 }

@@ -3,6 +3,7 @@
 use crate::command::{Command, Zoom};
 use crate::dialogs::Dialog;
 use crate::l10n::Language;
+use crate::placement::Addition;
 use crate::state::Desk;
 use crate::study::StudyCommand;
 use egui::{Button, MenuBar, ThemePreference, Ui};
@@ -12,8 +13,12 @@ pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
     MenuBar::new().ui(ui, |ui| {
         ui.menu_button(texts.menu_file(), |ui| {
             item(ui, desk, Command::New, true);
+            item(ui, desk, Command::OpenDialog, true);
             ui.separator();
-            item(ui, desk, Command::Save, desk.state.document.is_changed());
+            let document = &desk.state.document;
+            let savable = document.is_changed() || document.file().is_none();
+            item(ui, desk, Command::Save, savable);
+            item(ui, desk, Command::SaveAs, true);
             ui.separator();
             item(ui, desk, Command::Quit, true);
         });
@@ -25,6 +30,14 @@ pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
             for command in [Command::Duplicate, Command::Delete, Command::ToggleHidden, Command::Select(None)] {
                 item(ui, desk, command, selected);
             }
+        });
+        ui.menu_button(texts.menu_add(), |ui| {
+            for what in Addition::ALL {
+                item(ui, desk, Command::Add(what), true);
+            }
+            item(ui, desk, Command::AddModelDialog, true);
+            ui.separator();
+            item(ui, desk, Command::AddCamera, true);
         });
         ui.menu_button(texts.menu_view(), |ui| {
             item(ui, desk, Command::SetZoom(Zoom::Fit), true);

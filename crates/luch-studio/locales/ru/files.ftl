@@ -1,0 +1,43 @@
+## Файлы
+command-open = Открыть…
+command-save-as = Сохранить как…
+dialog-open = Открыть сцену или модель
+dialog-save-as = Сохранить сцену как
+dialog-add-model = Добавить модель
+dialog-export = Сохранить изображение
+dialog-unsaved = Несохранённые изменения
+dialog-replace = Файл уже есть
+button-open = Открыть
+button-save = Сохранить
+button-add = Добавить
+button-export = Сохранить
+button-cancel = Отмена
+button-browse = Обзор…
+button-browse-tip = Открыть диалог файлов системы
+button-do-not-save = Не сохранять
+button-replace = Заменить
+button-other-name = Другое имя…
+files-scenes-and-models = Сцены и модели
+files-scenes = Сцены
+files-models = Модели
+files-pictures = Изображения
+path-field = Путь
+folder-above = На папку выше
+files-saving = Сохраняется…
+files-reading = Читается…
+no-system-dialog = Диалог файлов системы не отвечает. Введите путь или выберите из списка.
+folder-not-read = { $folder }: { $why }
+unsaved-question = В сцене «{ $scene }» есть изменения, которых нет ни в одном файле. Сохранить их?
+replace-question = Файл { $path } уже есть. Заменить его?
+window-title-changed = { $path } * — Луч
+window-title = { $path } — Луч
+
+## Добавление
+menu-add = Добавить
+command-add-model = Модель…
+command-add-camera = Камера с этого вида
+new-sphere-name = Сфера
+new-cube-name = Куб
+new-wall-name = Стена
+new-camera-name = Камера { $number }
+notice-model-not-added = Модель не добавлена

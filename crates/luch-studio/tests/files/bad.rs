@@ -1,0 +1,106 @@
+//! Files that are wrong, vanish, or cannot be written: it is told what and where, and everything stays.
+
+use crate::desk::{BALL, Folder, TENT, studio, studio_with};
+use egui::{Key, Modifiers};
+use std::fs;
+
+#[test]
+fn a_file_that_cannot_be_opened_is_told_in_the_dialog_and_changes_nothing() {
+    let folder = Folder::new();
+    let mut desk = studio();
+    let before = desk.picture();
+    desk.key(Modifiers::COMMAND, Key::O);
+    for (path, told) in [
+        (folder.path("nowhere.toml"), "no such file"),
+        (folder.0.clone(), "is a folder"),
+        (folder.write("broken.toml", "luch = 1\nnome = 3\n"), "did you mean `name`"),
+        (folder.write("empty.obj", ""), "the file is empty"),
+        (folder.write("picture.png", b"\x89PNG\r\n"), "neither a scene"),
+        (folder.write("odd.toml", b"luch = 1\nname = \"\xff\"\n"), "UTF-8"),
+    ] {
+        desk.enter_path(&path);
+        assert!(desk.says(told), "{}: {told}", path.display());
+        assert!(desk.says(&path.display().to_string()), "says which file");
+        assert_eq!(desk.harness.state().scene().name, "Two spheres");
+    }
+    assert_eq!(desk.picture(), before, "the last picture stays");
+    desk.enter_path(&folder.write("ball.toml", BALL));
+    assert_eq!(desk.harness.state().scene().name, "Ball");
+}
+
+#[test]
+fn a_model_that_cannot_be_read_is_not_added() {
+    let folder = Folder::new();
+    let mut desk = studio();
+    let objects = desk.harness.state().scene().objects.len();
+    desk.menu("Add", "Model…");
+    desk.enter_path(&folder.write("empty.obj", ""));
+    assert!(desk.says("the file is empty"));
+    assert_eq!(desk.harness.state().scene().objects.len(), objects);
+    desk.enter_path(&folder.write("tent.obj", TENT));
+    assert_eq!(desk.harness.state().scene().objects.len(), objects + 1);
+}
+
+#[test]
+fn a_folder_that_vanishes_while_one_works_is_told_when_saving() {
+    let folder = Folder::new();
+    let mut desk = studio_with(&folder.write("deep/ball.toml", BALL));
+    desk.alter();
+    fs::remove_dir_all(folder.path("deep")).unwrap();
+    desk.key(Modifiers::COMMAND, Key::S);
+    assert!(desk.says("The scene was not saved") && desk.says("there is no folder"));
+    desk.menu("File", "Save as…");
+    desk.enter_path(&folder.path("ball.toml"));
+    assert!(fs::read_to_string(folder.path("ball.toml")).unwrap().contains("fov = 33.0"));
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_is_told_and_what_was_there_stays() {
+    let folder = Folder::new();
+    // A link to the device that is always full: written to as it is.
+    std::os::unix::fs::symlink("/dev/full", folder.path("full.toml")).unwrap();
+    let mut desk = studio();
+    desk.alter();
+    desk.menu("File", "Save as…");
+    desk.enter_path(&folder.path("full.toml"));
+    desk.press("Replace");
+    assert!(desk.says("the disk is full"), "told below the field");
+    assert!(desk.path_field().ends_with("full.toml"));
+    desk.press("Cancel");
+    desk.menu("File", "New scene");
+    assert!(desk.says("Save them?"), "it is not saved");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_read_only_file_is_left_alone() {
+    use std::os::unix::fs::PermissionsExt;
+    let folder = Folder::new();
+    let file = folder.write("ball.toml", BALL);
+    let mut desk = studio_with(&file);
+    fs::set_permissions(&file, fs::Permissions::from_mode(0o444)).unwrap();
+    desk.alter();
+    desk.key(Modifiers::COMMAND, Key::S);
+    assert!(desk.says("read-only"));
+    assert_eq!(fs::read_to_string(&file).unwrap(), BALL);
+}
+
+#[cfg(unix)]
+#[test]
+fn names_that_are_no_utf_8_are_opened_from_the_list() {
+    use std::os::unix::ffi::OsStrExt;
+    let folder = Folder::new();
+    let odd = folder.0.join(std::ffi::OsStr::from_bytes(b"caf\xe9"));
+    fs::create_dir(&odd).unwrap();
+    fs::write(odd.join(std::ffi::OsStr::from_bytes(b"\xe9.toml")), BALL).unwrap();
+    let mut desk = studio_with(&folder.write("ball.toml", BALL.replace("Ball", "Other")));
+    desk.menu("File", "Open…");
+    desk.press("caf?/");
+    desk.press("?.toml");
+    desk.press("Open");
+    assert_eq!(desk.harness.state().scene().name, "Ball");
+    desk.alter();
+    desk.key(Modifiers::COMMAND, Key::S);
+    assert!(desk.says("The scene is saved"));
+}

@@ -1,7 +1,9 @@
 //! What was typed: a struct for each command, every number in its range already. What it means is `meaning`'s business.
 
+mod explain;
 mod study;
 
+pub(crate) use explain::{ExplainArgs, FormArgs};
 pub(crate) use study::{StudyArgs, StudyCommand};
 
 use crate::text;
@@ -35,6 +37,9 @@ pub(crate) enum Command {
     /// Make a picture of a scene
     #[command(after_help = text::RENDER)]
     Render(Box<RenderArgs>),
+    /// Tell why a pixel has its colour: every ray, every hit, every number of the lighting sum
+    #[command(after_help = text::EXPLAIN)]
+    Explain(Box<ExplainArgs>),
     /// List the built-in scenes
     #[command(after_help = text::SCENES)]
     Scenes(ScenesArgs),
@@ -66,6 +71,8 @@ pub(crate) struct RenderArgs {
     pub(crate) output: PathBuf,
 
     #[command(flatten, next_help_heading = "Picture")]
+    pub(crate) frame: FrameArgs,
+    #[command(flatten, next_help_heading = "Picture")]
     pub(crate) picture: PictureArgs,
     #[command(flatten, next_help_heading = "Camera")]
     pub(crate) camera: CameraArgs,
@@ -75,14 +82,12 @@ pub(crate) struct RenderArgs {
     pub(crate) work: WorkArgs,
 }
 
+/// What every picture has, shown or explained.
 #[derive(Debug, Args)]
-pub(crate) struct PictureArgs {
+pub(crate) struct FrameArgs {
     /// Width and height in pixels, 1 to 65535 each [default: the scene's]
     #[arg(long, value_name = "WxH", value_parser = values::size, allow_hyphen_values = true)]
     pub(crate) size: Option<ImageSize>,
-    /// Make only this part of the picture, in pixels from the upper left corner: its pixels are those of the whole
-    #[arg(long, value_name = "X,Y,W,H", value_parser = values::crop, allow_hyphen_values = true)]
-    pub(crate) crop: Option<Part>,
     /// Rays over each pixel, 1 to 4096, or off [default: the scene's]
     #[arg(long, value_name = "N|off", value_parser = values::rays, allow_hyphen_values = true)]
     pub(crate) antialiasing: Option<Rays>,
@@ -92,9 +97,19 @@ pub(crate) struct PictureArgs {
     /// Surfaces along a path, mirrors included, 0 to 10000 [default: the scene's]
     #[arg(long, value_name = "N", value_parser = values::depth, allow_hyphen_values = true)]
     pub(crate) depth: Option<u32>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct PictureArgs {
+    /// Make only this part of the picture, in pixels from the upper left corner: its pixels are those of the whole
+    #[arg(long, value_name = "X,Y,W,H", value_parser = values::crop, allow_hyphen_values = true)]
+    pub(crate) crop: Option<Part>,
     /// How light is worked out: classic is Whitted ray tracing, the others look behind the scenes
     #[arg(long, value_name = "NAME", value_parser = integrator(), default_value = Integrator::default().word())]
     pub(crate) integrator: Integrator,
+    /// Draw the scale of the counts to the right of the picture: for --integrator nodes and triangles, PNG only
+    #[arg(long)]
+    pub(crate) color_bar: bool,
     /// Bits for each colour of a PNG
     #[arg(long, value_name = "8|16", value_enum)]
     pub(crate) bits: Option<Bits>,
@@ -131,6 +146,19 @@ pub(crate) struct EditArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct WorkArgs {
+    #[command(flatten)]
+    pub(crate) machine: MachineArgs,
+    /// Write times, counts and the picture's hash as JSON to a file, or to standard output with -
+    #[arg(long, value_name = "FILE|-", allow_hyphen_values = true)]
+    pub(crate) stats: Option<PathBuf>,
+    /// Show neither progress nor warnings
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
+}
+
+/// What of the machine may be used.
+#[derive(Debug, Args)]
+pub(crate) struct MachineArgs {
     /// Threads, 1 to 1024; the picture does not depend on it [default: all of the machine]
     #[arg(long, value_name = "N", value_parser = values::threads, allow_hyphen_values = true)]
     pub(crate) threads: Option<u32>,
@@ -140,12 +168,6 @@ pub(crate) struct WorkArgs {
     /// The most memory that the scene and the picture may take, as in 8G [default: 3/4 of the machine's]
     #[arg(long, value_name = "SIZE", value_parser = values::memory, allow_hyphen_values = true)]
     pub(crate) memory: Option<u64>,
-    /// Write times, counts and the picture's hash as JSON to a file, or to standard output with -
-    #[arg(long, value_name = "FILE|-", allow_hyphen_values = true)]
-    pub(crate) stats: Option<PathBuf>,
-    /// Show neither progress nor warnings
-    #[arg(short, long)]
-    pub(crate) quiet: bool,
 }
 
 /// Bits for each colour of a PNG.

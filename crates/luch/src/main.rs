@@ -10,6 +10,7 @@ mod output;
 mod progress;
 mod run;
 mod set;
+mod shot;
 mod signals;
 mod source;
 mod text;

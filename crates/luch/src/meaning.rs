@@ -1,15 +1,11 @@
 //! What `luch render`'s arguments mean: checks that need no scene at once, the rest as edits of the scene and a job.
 
-use crate::args::{Bits, CameraArgs, EditArgs, PictureArgs, RenderArgs};
+use crate::args::{Bits, PictureArgs, RenderArgs};
 use crate::exit::{Code, Failure};
-use crate::set;
-use crate::values::Rays;
+use crate::shot::Shot;
 use luch_io::PictureFormat;
-use luch_io::scene_file::nearest;
-use luch_render::{Crop, RenderJob, SimdLevel};
-use luch_scene::{
-    CameraEdit, Edit, EditError, ImageSize, LightEdit, ObjectEdit, RenderSettings, Sampling, Scene, SettingsEdit,
-};
+use luch_render::{Crop, Integrator, RenderJob, SimdLevel};
+use luch_scene::{ImageSize, Scene};
 use std::path::{Path, PathBuf};
 
 /// Bytes that a pixel takes while a picture is made: three sums and three means of 32 bits.
@@ -42,9 +38,9 @@ pub(crate) struct Request {
     pub(crate) simd: SimdLevel,
     pub(crate) memory: Option<u64>,
     pub(crate) quiet: bool,
+    pub(crate) color_bar: bool,
+    pub(crate) shot: Shot,
     picture: PictureArgs,
-    camera: CameraArgs,
-    edits: EditArgs,
 }
 
 impl Request {
@@ -53,8 +49,9 @@ impl Request {
     /// # Errors
     /// Usage, or an output that cannot be written.
     pub(crate) fn of(args: RenderArgs) -> Result<Self, Failure> {
-        let RenderArgs { scene, output, picture, camera, edits, work } = args;
+        let RenderArgs { scene, output, frame, picture, camera, edits, work } = args;
         let format = format_of(&output, picture.bits)?;
+        check_color_bar(&picture, format)?;
         let stats = match work.stats {
             None => Stats::Nowhere,
             Some(path) if path == output => return Err(Failure::usage("--stats and --output name the same place")),
@@ -66,13 +63,13 @@ impl Request {
             output,
             format,
             stats,
-            threads: threads(work.threads),
-            simd: available(work.simd)?,
-            memory: work.memory,
+            threads: threads(work.machine.threads),
+            simd: available(work.machine.simd)?,
+            memory: work.machine.memory,
             quiet: work.quiet,
+            color_bar: picture.color_bar,
+            shot: Shot { frame, camera, edits },
             picture,
-            camera,
-            edits,
         })
     }
 
@@ -82,20 +79,9 @@ impl Request {
         [self.output.as_path()].into_iter().chain(stats)
     }
 
-    /// Changes the scene as asked and answers with the place of the chosen camera.
-    ///
-    /// Flags that mean the whole scene come first, then `--set` in the order given, then the camera's own flags.
-    ///
-    /// # Errors
-    /// Usage, for names that the scene has not.
-    pub(crate) fn apply(&self, scene: &mut Scene) -> Result<usize, Failure> {
-        apply_all(scene, self.whole_scene_edits(scene))?;
-        for assignment in &self.edits.set {
-            set::apply(assignment, scene)?;
-        }
-        let camera = camera_of(scene, &self.camera.name)?;
-        apply_all(scene, self.camera_edits(camera))?;
-        Ok(camera)
+    /// What the picture shows.
+    pub(crate) const fn integrator(&self) -> Integrator {
+        self.picture.integrator
     }
 
     /// The job, its crop inside the picture.
@@ -115,51 +101,6 @@ impl Request {
         job.threads = self.threads;
         job.simd = self.simd;
         Ok(job)
-    }
-
-    /// What is right but will not do what the user hopes for.
-    pub(crate) fn advice(&self, job: &RenderJob) -> Vec<String> {
-        let mut advice = Vec::new();
-        let mut blur = |flag: bool, name: &str| {
-            if flag && !job.depth_of_field.on {
-                advice.push(format!("--{name} has no effect while depth of field is off: add --depth-of-field 64"));
-            }
-        };
-        blur(self.camera.focal_distance.is_some(), "focal-distance");
-        blur(self.camera.lens_radius.is_some(), "lens-radius");
-        if job.depth_of_field.on && job.camera.lens_radius.get() == 0.0 {
-            advice.push("nothing will blur: the camera's lens has the radius 0: add --lens-radius R".to_owned());
-        }
-        advice
-    }
-
-    fn whole_scene_edits(&self, scene: &Scene) -> Vec<Edit> {
-        let PictureArgs { size, antialiasing, depth_of_field, depth, .. } = self.picture;
-        let RenderSettings { antialiasing: aa, depth_of_field: dof, .. } = scene.settings;
-        let settings = [
-            size.map(SettingsEdit::SetSize),
-            depth.map(SettingsEdit::SetDepth),
-            antialiasing.map(|rays| SettingsEdit::SetAntialiasing(sampling(aa, rays))),
-            depth_of_field.map(|rays| SettingsEdit::SetDepthOfField(sampling(dof, rays))),
-            self.edits.shading.map(SettingsEdit::SetShading),
-        ];
-        let mut edits: Vec<Edit> = settings.into_iter().flatten().map(Edit::Settings).collect();
-        if self.edits.shading.is_some() {
-            edits.extend((0..scene.objects.len()).map(|i| Edit::Object(i, ObjectEdit::SetShading(None))));
-        }
-        if let Some(intensity) = self.edits.light_intensity {
-            edits.extend((0..scene.lights.len()).map(|i| Edit::Light(i, LightEdit::SetIntensity(intensity))));
-        }
-        edits
-    }
-
-    fn camera_edits(&self, camera: usize) -> Vec<Edit> {
-        let edits = [
-            self.camera.fov.map(CameraEdit::SetFov),
-            self.camera.focal_distance.map(|d| CameraEdit::SetFocalDistance(Some(d))),
-            self.camera.lens_radius.map(CameraEdit::SetLensRadius),
-        ];
-        edits.into_iter().flatten().map(|edit| Edit::Camera(camera, edit)).collect()
     }
 }
 
@@ -202,35 +143,18 @@ fn format_of(output: &Path, bits: Option<Bits>) -> Result<Format, Failure> {
     }
 }
 
-fn sampling(now: Sampling, asked: Rays) -> Sampling {
-    match asked {
-        Rays::Off => Sampling { on: false, ..now },
-        Rays::On(rays) => Sampling { on: true, rays },
+/// The scale is for counts, and is drawn as a screen shows it.
+fn check_color_bar(picture: &PictureArgs, format: Format) -> Result<(), Failure> {
+    let counts = matches!(picture.integrator, Integrator::Nodes | Integrator::Triangles);
+    if picture.color_bar && !counts {
+        let word = picture.integrator.word();
+        return Err(Failure::usage(format!("--color-bar: --integrator {word} shows no counts"))
+            .hint("use it with --integrator nodes or --integrator triangles"));
     }
-}
-
-fn apply_all(scene: &mut Scene, edits: Vec<Edit>) -> Result<(), Failure> {
-    let refused = |e: EditError| Failure::new(Code::Usage, e.to_string());
-    Edit::Group(edits).apply(scene).map(|_| ()).map_err(refused)
-}
-
-/// The camera of that name, or of that number from 1.
-fn camera_of(scene: &Scene, word: &str) -> Result<usize, Failure> {
-    if let Some(index) = scene.camera_named(word) {
-        return Ok(index);
+    if picture.color_bar && format == Format::Exr {
+        return Err(Failure::usage("--color-bar is for PNG: an EXR picture holds nothing but the picture's own light"));
     }
-    let names = || set::quoted(scene.cameras.iter().map(|c| c.name.as_str()));
-    let count = scene.cameras.len();
-    match word.parse::<usize>() {
-        Ok(number) if (1..=count).contains(&number) => Ok(number - 1),
-        Ok(_) => Err(Failure::usage(format!("--camera {word}: the scene has the cameras 1 to {count}")).hint(names())),
-        Err(_) => {
-            let known = scene.cameras.iter().map(|c| c.name.as_str());
-            let meant = nearest(word, known).map(|n| format!("; did you mean \"{n}\"?")).unwrap_or_default();
-            Err(Failure::usage(format!("--camera: the scene has no camera \"{word}\"{meant}"))
-                .hint(format!("its cameras, from 1: {}", names())))
-        }
-    }
+    Ok(())
 }
 
 fn crop_outside(crop: Crop, size: ImageSize) -> Failure {

@@ -15,6 +15,19 @@ pub(crate) fn result(text: &str) -> Result<(), Failure> {
         .map_err(|e| Failure::new(Code::Output, format!("standard output cannot be written: {e}")))
 }
 
+/// Lets `write` write a result to stdout piece by piece, and tells it whether colours are welcome.
+///
+/// # Errors
+/// As [`result`].
+pub(crate) fn streamed(write: impl FnOnce(&mut dyn io::Write, bool) -> io::Result<()>) -> Result<(), Failure> {
+    let out = io::stdout().lock();
+    let colored = is_colored(&out);
+    let mut out = io::BufWriter::new(out);
+    write(&mut out, colored)
+        .and_then(|()| out.flush())
+        .map_err(|e| Failure::new(Code::Output, format!("standard output cannot be written: {e}")))
+}
+
 /// Writes a value to stdout as JSON that people can read too.
 ///
 /// # Errors

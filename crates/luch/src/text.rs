@@ -7,6 +7,7 @@ Examples:
   luch scenes                                   the built-in scenes, their cameras and objects
   luch render two-spheres -o spheres.png        a first picture
   luch render chess -o chess.png --camera 2 --antialiasing 64
+  luch explain two-spheres --pixel 480,360      why that pixel has its colour
   luch info bunny.obj                           what is in a model
   luch study threads -o study                   how time follows the number of threads
 
@@ -26,6 +27,7 @@ Examples:
   luch render two-spheres -o a.png --light-intensity 80
   luch render two-spheres -o a.png --camera 2 --antialiasing 64
   luch render knight -o a.png --depth-of-field 64 --focal-distance 4
+  luch render chess -o a.png --integrator nodes --color-bar
   luch render bunny.obj -o a.exr --size 1920x1080 --shading flat --stats a.json
 
 Changes of the scene (--set, applied in the order given, after the other flags):
@@ -42,6 +44,20 @@ Changes of the scene (--set, applied in the order given, after the other flags):
 A wrong name or key lists those there are; `luch info SCENE` lists the names.
 
 Ctrl-C stops within a second and leaves no half picture; a second Ctrl-C stops at once.";
+
+pub(crate) const EXPLAIN: &str = "\
+Examples:
+  luch explain two-spheres --pixel 480,360
+  luch explain two-spheres --pixel 480,360 --json | jq .pixel
+  luch explain knight --camera 2 --pixel 300,420 --boxes
+  luch explain two-spheres --pixel 480,360 --antialiasing 64 --sample 3
+  luch explain two-spheres --pixel 480,360 -o pixel.md
+  luch explain two-spheres --pixel 480,360 --latex --language ru -o pixel.tex
+
+The pixel is one of the picture that `luch render` makes with the same flags, and its numbers are
+those that made the picture: JSON's \"pixel\" holds the bits that an EXR picture has there. The names
+pixel.json, pixel.md and pixel.tex choose the form by themselves. Changes of the scene (--set) are
+those of `luch render`. docs/explain.md is a lesson with three pixels.";
 
 pub(crate) const SCENES: &str = "\
 Examples:

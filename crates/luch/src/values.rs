@@ -24,6 +24,20 @@ pub(crate) struct Part {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct List(pub(crate) Vec<u64>);
 
+/// `--pixel`, right or wrong for the picture: that only the scene can tell.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct PixelPlace {
+    pub(crate) x: i64,
+    pub(crate) y: i64,
+}
+
+/// `--sample`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Shown {
+    All,
+    One(u32),
+}
+
 /// Reads a number as people write it; what is no number is refused, NaN and infinities are left to the ranges.
 pub(crate) fn number(text: &str) -> Result<f64, String> {
     let text = text.trim();
@@ -168,6 +182,22 @@ pub(crate) fn crop(text: &str) -> Result<Part, String> {
     }
 }
 
+/// Reads `X,Y`.
+pub(crate) fn pixel(text: &str) -> Result<PixelPlace, String> {
+    let place = text.split_once(',').and_then(|(x, y)| Some([x.trim().parse().ok()?, y.trim().parse().ok()?]));
+    let [x, y] = place.ok_or("write the column and the row of the pixel, both from 0, as in 480,360")?;
+    Ok(PixelPlace { x, y })
+}
+
+/// Reads `3` or `all`.
+pub(crate) fn shown(text: &str) -> Result<Shown, String> {
+    if text.trim() == "all" {
+        return Ok(Shown::All);
+    }
+    let number = whole(text, 0..=RayCount::MAX - 1, "a sample");
+    number.map(Shown::One).map_err(|e| e + ", nor the word all")
+}
+
 /// Reads an amount of memory: bytes, or with `K`, `M`, `G`, `T` (powers of 1024; `KiB` and `KB` are the same).
 pub(crate) fn memory(text: &str) -> Result<u64, String> {
     let text = text.trim();
@@ -284,6 +314,19 @@ mod tests {
         assert!(
             runs("0").is_err() && warm_up("0").is_ok() && tile_sides("1025").is_err() && ray_counts("4097").is_err()
         );
+    }
+
+    #[test]
+    fn places_of_pixels() {
+        assert_eq!(pixel("480,360"), Ok(PixelPlace { x: 480, y: 360 }));
+        assert_eq!(pixel(" -1 , 0 "), Ok(PixelPlace { x: -1, y: 0 }));
+        for bad in ["", "1", "1,", ",1", "1,2,3", "1.5,2", "a,b", "1;2", "99999999999999999999,0"] {
+            assert!(pixel(bad).unwrap_err().contains("480,360"), "{bad}");
+        }
+        assert_eq!((shown("all"), shown("63")), (Ok(Shown::All), Ok(Shown::One(63))));
+        for bad in ["", "-1", "4096", "first"] {
+            assert!(shown(bad).unwrap_err().contains("all"), "{bad}");
+        }
     }
 
     #[test]

@@ -1,6 +1,8 @@
 //! Does what a command means.
 
 mod bench_rays;
+mod color_bar;
+mod explain;
 mod info;
 mod render;
 mod scenes;
@@ -21,6 +23,7 @@ pub(crate) fn run(command: Command) -> Result<(), Failure> {
     let watch = Watch::start()?;
     match command {
         Command::Render(args) => render::run(&Request::of(*args)?, &watch),
+        Command::Explain(args) => explain::run(*args, &watch),
         Command::Scenes(args) => scenes::run(&args, &watch),
         Command::Info(args) => info::run(&args, &watch),
         Command::Study(command) => study::run(command, &watch),

@@ -5,7 +5,7 @@ use crate::exit::{Code, Failure};
 use crate::meaning::{Format, Request, Stats, picture_bytes};
 use crate::output;
 use crate::progress::{Meter, Stages};
-use crate::run::writable;
+use crate::run::{color_bar, writable};
 use crate::signals::Watch;
 use crate::source::{self, Loaded};
 use luch_io::atomic_save::save;
@@ -14,6 +14,7 @@ use luch_render::film::tonemap::{srgb8, srgb16};
 use luch_render::{Film, MeshTrees, Progress, RenderError, RenderJob, compile, render};
 use luch_scene::Scene;
 use serde::Serialize;
+use std::borrow::Cow;
 use std::io;
 use std::path::Path;
 use std::sync::Arc;
@@ -48,6 +49,8 @@ struct Settings<'a> {
     depth_of_field: bool,
     depth: u32,
     integrator: &'static str,
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    color_bar: bool,
 }
 
 pub(crate) fn run(request: &Request, watch: &Watch) -> Result<(), Failure> {
@@ -61,11 +64,11 @@ pub(crate) fn run(request: &Request, watch: &Watch) -> Result<(), Failure> {
     let Loaded { mut scene, warnings, mut budget } = loaded?;
     let load_ms = loading.wall_ms();
 
-    let camera = request.apply(&mut scene)?;
+    let camera = request.shot.apply(&mut scene)?;
     let job = request.job(&scene, camera)?;
     budget.charge("the picture", picture_bytes(&job)).map_err(|over| over.in_file(&request.output))?;
     if !request.quiet {
-        warnings.iter().chain(&request.advice(&job)).for_each(|line| output::warning(line));
+        warnings.iter().chain(&request.shot.advice(&job)).for_each(|line| output::warning(line));
     }
 
     let building = Stopwatch::start();
@@ -98,7 +101,7 @@ pub(crate) fn run(request: &Request, watch: &Watch) -> Result<(), Failure> {
         triangles: compiled.triangles(),
         hash: linear_hash(&linear),
     };
-    let metadata = metadata(&scene, &job, &figures.hash)?;
+    let metadata = metadata(&scene, &job, request.color_bar, &figures.hash)?;
     let write = || write_all(request, &film, &linear, &metadata, &figures);
     watch.writing(request.outputs(), || stages.during("writing", None, write))?
 }
@@ -108,7 +111,7 @@ fn failed(error: &RenderError) -> Failure {
     Failure::new(code, error.to_string())
 }
 
-fn metadata(scene: &Scene, job: &RenderJob, hash: &str) -> Result<Metadata, Failure> {
+fn metadata(scene: &Scene, job: &RenderJob, color_bar: bool, hash: &str) -> Result<Metadata, Failure> {
     let settings = Settings {
         camera: &job.camera.name,
         size: [job.size.width(), job.size.height()],
@@ -118,6 +121,7 @@ fn metadata(scene: &Scene, job: &RenderJob, hash: &str) -> Result<Metadata, Fail
         depth_of_field: job.depth_of_field.on,
         depth: job.depth,
         integrator: job.integrator.word(),
+        color_bar,
     };
     let settings = serde_json::to_string(&settings).map_err(|e| Failure::new(Code::Internal, e.to_string()))?;
     Ok(Metadata { title: scene.name.clone(), settings, hash: hash.to_owned() })
@@ -162,10 +166,16 @@ fn write_with_stats(
 }
 
 fn write_picture(request: &Request, film: &Film, linear: &[f32], metadata: &Metadata) -> Result<(), Failure> {
-    let (path, width, height) = (request.output.as_path(), film.width(), film.height());
+    let (path, height) = (request.output.as_path(), film.height());
+    let mut width = film.width();
+    let mut shown = Cow::Borrowed(linear);
+    if request.color_bar {
+        let (wider, with_bar) = color_bar::beside(linear, [width, height], request.integrator().word());
+        (width, shown) = (wider, Cow::Owned(with_bar));
+    }
     match request.format {
-        Format::Png8 => write_png(path, width, height, Pixels::Rgb8(&srgb8(linear)), metadata)?,
-        Format::Png16 => write_png(path, width, height, Pixels::Rgb16(&srgb16(linear)), metadata)?,
+        Format::Png8 => write_png(path, width, height, Pixels::Rgb8(&srgb8(&shown)), metadata)?,
+        Format::Png16 => write_png(path, width, height, Pixels::Rgb16(&srgb16(&shown)), metadata)?,
         Format::Exr => write_exr(path, width, height, linear, metadata)?,
     }
     Ok(())

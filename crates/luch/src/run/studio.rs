@@ -7,7 +7,7 @@ use luch_studio::Start;
 use std::path::Path;
 
 /// The commands that a wrong word may have been meant for.
-const COMMANDS: [&str; 4] = ["render", "scenes", "info", "bench"];
+const COMMANDS: [&str; 6] = ["render", "explain", "scenes", "info", "study", "bench"];
 
 /// Opens the window and waits until it is closed.
 ///

@@ -3,6 +3,7 @@
 #[path = "../support/mod.rs"]
 mod support;
 
+mod color_bar;
 mod edits;
 mod flags;
 mod outputs;

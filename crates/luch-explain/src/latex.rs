@@ -103,13 +103,15 @@ fn table(head: &[String], rows: impl Iterator<Item = Vec<String>>, body: &mut St
 fn columns_of(head: &[String], rows: &[Vec<String>]) -> String {
     let width = |column: usize| {
         let cells = rows.iter().filter_map(|row| row.get(column)).chain(head.get(column));
-        cells.map(|cell| cell.chars().count()).max().unwrap_or(0).clamp(4, 60)
+        cells.map(|cell| cell.chars().count()).max().unwrap_or(0)
     };
     let widths: Vec<usize> = (0..head.len()).map(width).collect();
-    let all: usize = widths.iter().sum();
-    if all <= LETTERS_OF_A_LINE {
+    if widths.iter().sum::<usize>() <= LETTERS_OF_A_LINE {
         return "l".repeat(head.len());
     }
+    // No column takes all of the line, or none.
+    let widths: Vec<usize> = widths.into_iter().map(|width| width.clamp(5, 60)).collect();
+    let all: usize = widths.iter().sum();
     let share = |width: &usize| format!("p{{0.{:03}\\linewidth}}", width * 900 / all);
     widths.iter().map(share).collect()
 }

@@ -77,7 +77,7 @@ fn block(block: &Block, body: &mut String) {
 
 /// Formulas under each other, in small letters: colours are long.
 fn display(lines: &[String], body: &mut String) {
-    *body += &format!("{{\\small\n\\begin{{align*}}\n{}\n\\end{{align*}}}}\n", lines.join("\\\\\n"));
+    *body += &format!("{{\\small\n\\begin{{align*}}\n{}\n\\end{{align*}}}}\n\n", lines.join("\\\\\n"));
 }
 
 /// A row is a line of its own that may break between pages, which a tabular of hundreds of rows could not: tables are cut.

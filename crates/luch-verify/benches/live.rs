@@ -32,7 +32,12 @@ fn main() {
     let mut job = job(&base, 0, [1280, 720], 1);
     job.threads = threads;
     full(&base, &job);
-    cancel(&base, &job);
+    job.antialiasing = luch_verify::sampling(64);
+    cancel("cancel", &base, &job);
+    let mirrors = Arc::new(luch_verify::scenes::hall_of_mirrors(100));
+    job.camera = mirrors.cameras[0].clone();
+    job.depth = 10_000;
+    cancel("cancel, 10,000 mirrors deep", &mirrors, &job);
 }
 
 /// A session with a bell that rings when there is something new.
@@ -156,14 +161,13 @@ fn full(base: &Arc<Scene>, job: &RenderJob) {
 }
 
 /// From `stop` in the middle of the picture until no thread is at work.
-fn cancel(base: &Arc<Scene>, job: &RenderJob) {
+fn cancel(name: &str, base: &Arc<Scene>, job: &RenderJob) {
     let watched = Watched::start();
-    let mut job = job.clone();
-    job.antialiasing = luch_verify::sampling(64);
     let mut times = Vec::new();
     for step in 0..60 {
-        let epoch = watched.session.show(orbited(base, &job, step));
-        watched.wait(|s| s.epoch == epoch);
+        watched.session.show(orbited(base, job, step));
+        // Somewhere in the picture, at another place each time.
+        std::thread::sleep(Duration::from_micros(1500 * step as u64));
         let asked = Instant::now();
         watched.session.stop();
         while watched.session.status().phase != LivePhase::Idle {
@@ -172,7 +176,7 @@ fn cancel(base: &Arc<Scene>, job: &RenderJob) {
         times.push(asked.elapsed());
         assert_eq!(watched.session.status().ended, Some(LiveEnd::Cancelled));
     }
-    report("cancel", times, "");
+    report(name, times, "");
 }
 
 fn report(name: &str, mut times: Vec<Duration>, shown: &str) {

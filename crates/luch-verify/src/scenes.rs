@@ -129,3 +129,19 @@ pub fn of_everything(shading: Shading) -> Scene {
     scene.cameras = vec![Camera::new("Camera", point(0.3, 1.8, 6.0), Aim::At(point(0.0, 0.9, 0.0)))];
     scene
 }
+
+/// Mirrors all around, so that a ray never ends, and many lights that every one of its surfaces asks for.
+pub fn hall_of_mirrors(lights: u32) -> Scene {
+    let mut scene = of_everything(Shading::Phong);
+    scene.objects.clear();
+    for axis in 0..6 {
+        let mut normal = Vec3::ZERO;
+        normal[axis / 2] = if axis % 2 == 0 { 1.0 } else { -1.0 };
+        let [x, y, z] = (normal * -8.0).to_array();
+        let mut mirror = wall(&format!("Mirror {axis}"), point(x, y, z), normal, "#ffffff");
+        mirror.material.reflection = unit(1.0);
+        scene.objects.push(mirror);
+    }
+    scene.lights = (0..lights).map(|k| Light::new(format!("Lamp {k}"), point(0.01 * k as f32, 1.0, 0.0))).collect();
+    scene
+}

@@ -4,50 +4,46 @@ mod support {
     pub(crate) mod watched;
 }
 
-use luch_render::{Integrator, LiveEnd, LivePhase, LiveRequest, LiveSession, RenderJob};
-use luch_scene::{Light, Scene, Shading};
+use luch_render::{Epoch, Integrator, LiveEnd, LivePhase, LiveRequest, LiveSession, RenderJob};
+use luch_scene::Shading;
 use luch_verify::{job, picture, sampling, scenes};
 use std::sync::Arc;
+use std::sync::mpsc::sync_channel;
 use std::time::Instant;
 use support::watched::{HUNG, Watched};
-
-/// Mirrors all around, so that a ray never ends, and many lights that every one of its surfaces asks for.
-fn hall_of_mirrors(lights: u32) -> Scene {
-    let mut scene = scenes::of_everything(Shading::Phong);
-    scene.objects.clear();
-    for axis in 0..6 {
-        let mut normal = glam::Vec3::ZERO;
-        normal[axis / 2] = if axis % 2 == 0 { 1.0 } else { -1.0 };
-        let [x, y, z] = (normal * -8.0).to_array();
-        let mut wall = scenes::wall(&format!("Mirror {axis}"), scenes::point(x, y, z), normal, "#ffffff");
-        wall.material.reflection = scenes::unit(1.0);
-        scene.objects.push(wall);
-    }
-    scene.lights =
-        (0..lights).map(|k| Light::new(format!("Lamp {k}"), scenes::point(0.01 * k as f32, 1.0, 0.0))).collect();
-    scene
-}
 
 #[test]
 fn a_picture_without_end_is_cancelled_and_dropped_within_a_tile() {
     // One sample of one tile would take minutes: 10,000 surfaces along each path, each with 1000 lights.
-    let scene = Arc::new(hall_of_mirrors(1000));
+    let scene = Arc::new(scenes::hall_of_mirrors(1000));
     let mut job = job(&scene, 0, [640, 480], 64);
     job.depth = 10_000;
+    let request = LiveRequest { scene, job };
     let watched = Watched::start();
     for _ in 0..3 {
-        let epoch = watched.session.show(LiveRequest { scene: Arc::clone(&scene), job: job.clone() });
-        // No bell rings before the first picture, which may be far away.
-        let start = Instant::now();
-        while watched.session.status().phase != LivePhase::Rendering {
-            assert!(start.elapsed() < HUNG);
-            std::thread::yield_now();
-        }
+        let epoch = begin(&watched, &request);
         watched.session.stop();
         assert_eq!(watched.end_of(epoch), LiveEnd::Cancelled);
     }
-    watched.session.show(LiveRequest { scene, job });
-    drop(watched);
+    begin(&watched, &request);
+    let (tell, told) = sync_channel(0);
+    let end = std::thread::Builder::new().name("end".to_owned()).spawn(move || {
+        drop(watched);
+        tell.send(()).unwrap();
+    });
+    told.recv_timeout(HUNG).expect("the session does not end");
+    end.unwrap().join().unwrap();
+}
+
+/// Asks for a picture and waits until its first rays are traced. No bell rings before there is something to see.
+fn begin(watched: &Watched, request: &LiveRequest) -> Epoch {
+    let epoch = watched.session.show(request.clone());
+    let start = Instant::now();
+    while watched.session.status().phase != LivePhase::Rendering {
+        assert!(start.elapsed() < HUNG, "it is not begun");
+        std::thread::yield_now();
+    }
+    epoch
 }
 
 #[test]

@@ -44,6 +44,9 @@ impl Hand<'_> {
                 self.watched.session.stop();
                 if let Some((epoch, _)) = self.asked.last() {
                     self.stopped = (*epoch, self.watched.session.latest());
+                    if self.random.below(2) == 0 {
+                        self.watched.end_of(*epoch);
+                    }
                 }
                 return self.look();
             }

@@ -11,7 +11,8 @@ pub use object::{highlight_exponent, highlight_strength};
 use crate::accel::SceneTree;
 use crate::math::bounds::Bounds;
 use glam::Vec3;
-use luch_scene::{Scene, Shape};
+use luch_scene::{Object, Scene, Shape};
+use std::sync::Arc;
 
 /// A light, ready for the lighting sum.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,7 +27,7 @@ pub(crate) struct CompiledLight {
 /// A scene ready for rays. Objects keep the place that they have in the [`Scene`]: a hit's object is that number.
 #[derive(Debug)]
 pub struct CompiledScene {
-    pub(crate) tree: SceneTree,
+    pub(crate) tree: Arc<SceneTree>,
     pub(crate) objects: Vec<CompiledObject>,
     pub(crate) lights: Vec<CompiledLight>,
     pub(crate) background: Vec3,
@@ -62,9 +63,20 @@ impl CompiledScene {
 /// an edit that moves or recolours objects this takes well under a millisecond.
 #[must_use]
 pub fn compile(scene: &Scene, trees: &mut MeshTrees, threads: usize) -> CompiledScene {
+    compile_after(None, scene, trees, threads)
+}
+
+/// As [`compile`], after another scene: where only looks have changed since, the tree over the objects is shared.
+pub(crate) fn compile_after(
+    before: Option<(&Scene, &CompiledScene)>,
+    scene: &Scene,
+    trees: &mut MeshTrees,
+    threads: usize,
+) -> CompiledScene {
+    let known = before.filter(|(old, _)| have_same_shapes(old, scene)).map(|(_, compiled)| Arc::clone(&compiled.tree));
     let mut tree_bytes = 0;
     let mut counted = std::collections::HashSet::new();
-    let mut geometry = Vec::with_capacity(scene.objects.len());
+    let mut geometry = Vec::new();
     let mut objects = Vec::with_capacity(scene.objects.len());
     for object in &scene.objects {
         let mesh = match &object.shape {
@@ -77,11 +89,13 @@ pub fn compile(scene: &Scene, trees: &mut MeshTrees, threads: usize) -> Compiled
             tree_bytes += mesh.tree.memory_bytes() + mesh.shading.memory_bytes();
         }
         let mesh = mesh.map(|(_, mesh)| mesh);
-        geometry.push(object::geometry_of(object, mesh.as_ref()));
+        if known.is_none() {
+            geometry.push(object::geometry_of(object, mesh.as_ref()));
+        }
         objects.push(CompiledObject::of(object, mesh.as_ref(), scene.settings.shading));
     }
     CompiledScene {
-        tree: SceneTree::build(&geometry),
+        tree: known.unwrap_or_else(|| Arc::new(SceneTree::build(&geometry))),
         objects,
         lights: lights_of(scene),
         background: scene.background.get(),
@@ -90,6 +104,12 @@ pub fn compile(scene: &Scene, trees: &mut MeshTrees, threads: usize) -> Compiled
         tree_bytes,
         triangles: scene.triangle_count(),
     }
+}
+
+/// Whether rays meet the same objects in both scenes, whatever they look like. Meshes are compared by identity.
+pub(crate) fn have_same_shapes(a: &Scene, b: &Scene) -> bool {
+    let same = |(a, b): (&Object, &Object)| a.hidden == b.hidden && (a.hidden || a.shape == b.shape);
+    std::ptr::eq(a, b) || (a.objects.len() == b.objects.len() && a.objects.iter().zip(&b.objects).all(same))
 }
 
 /// The lights that are on, in the scene's order.
@@ -102,4 +122,36 @@ fn lights_of(scene: &Scene) -> Vec<CompiledLight> {
         color: light.color.get(),
     })
     .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use luch_scene::{Color, Light, Point, Size};
+
+    #[test]
+    fn a_change_of_looks_keeps_the_tree_and_a_change_of_shapes_does_not() {
+        let mut trees = MeshTrees::new();
+        let mut scene = Scene::new("Two balls");
+        for (name, x) in [("Left", -2.0), ("Right", 2.0)] {
+            let center = Point::clamped([x, 0.0, 0.0].into());
+            scene.objects.push(Object::new(name, Shape::Sphere { center, radius: Size::ONE }));
+        }
+        let compiled = compile(&scene, &mut trees, 1);
+        let mut keeps = |change: &dyn Fn(&mut Scene)| {
+            let mut changed = scene.clone();
+            change(&mut changed);
+            let again = compile_after(Some((&scene, &compiled)), &changed, &mut trees, 1);
+            assert_eq!(again.objects.len(), changed.objects.len());
+            Arc::ptr_eq(&again.tree, &compiled.tree)
+        };
+        assert!(keeps(&|_| ()));
+        assert!(keeps(&|scene| scene.objects[1].material.color = Color::from_hex("#ff0000")));
+        assert!(keeps(&|scene| scene.lights.push(Light::new("Lamp", Point::ORIGIN))));
+        assert!(!keeps(&|scene| scene.objects[1].hidden = true));
+        assert!(!keeps(&|scene| scene.objects.swap(0, 1)));
+        assert!(!keeps(&|scene| drop(scene.objects.pop())));
+        let unit = Shape::Sphere { center: Point::ORIGIN, radius: Size::ONE };
+        assert!(!keeps(&|scene| scene.objects[0].shape = unit.clone()));
+    }
 }

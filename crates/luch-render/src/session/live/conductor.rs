@@ -8,7 +8,7 @@ use super::pace::{Kind, Measured, Pace};
 use super::pass::{Made, Outcome, Pass};
 use super::pool::Pool;
 use super::snapshot::Snapshot;
-use crate::compiled::{CompiledScene, MeshTrees, compile};
+use crate::compiled::{CompiledScene, MeshTrees, compile_after};
 use crate::session::queue::message_of;
 use crate::session::worker::View;
 use luch_scene::Scene;
@@ -17,18 +17,20 @@ use std::sync::Arc;
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// How long a picture may go on to its first snapshot though a newer one is wanted: two frames of the screen.
+/// Two frames of the screen.
 const PATIENCE: Duration = Duration::from_millis(33);
 /// More threads than this are not started, whatever a request says.
 const MAX_THREADS: usize = 1024;
 
 /// Makes a scene ready for rays; tests put theirs in its place.
-pub(super) type Compile = fn(&Scene, &mut MeshTrees, usize) -> CompiledScene;
+pub(super) type Compile = fn(Option<(&Scene, &CompiledScene)>, &Scene, &mut MeshTrees, usize) -> CompiledScene;
 
 /// Everything that the session's thread has.
 pub(super) struct Conductor {
     pub(super) mailbox: Arc<Mailbox>,
     pub(super) compile: Compile,
+    /// How long a picture may go on to its first snapshot though a newer one is wanted.
+    pub(super) patience: Duration,
     wake: Box<dyn Fn() + Send + Sync>,
     trees: MeshTrees,
     /// The scene compiled last.
@@ -57,7 +59,8 @@ impl Conductor {
         let cores = thread::available_parallelism().map_or(1, usize::from);
         Self {
             mailbox: Arc::new(Mailbox::new()),
-            compile,
+            compile: compile_after,
+            patience: PATIENCE,
             wake,
             trees: MeshTrees::new(),
             ready: None,
@@ -133,7 +136,7 @@ impl Conductor {
             asked,
             compiled,
             threads,
-            patience: Instant::now() + PATIENCE,
+            patience: Instant::now() + self.patience,
             seen: false,
             objects: self.sight.as_ref().map(|sight| Arc::clone(sight.map())),
         }
@@ -141,16 +144,20 @@ impl Conductor {
 
     /// The scene, ready for rays.
     fn compiled(&mut self, scene: &Arc<Scene>, threads: usize) -> Arc<CompiledScene> {
-        if let Some((known, compiled)) = &self.ready
+        let before = self.ready.take();
+        if let Some((known, compiled)) = &before
             && Arc::ptr_eq(known, scene)
         {
-            return Arc::clone(compiled);
+            let compiled = Arc::clone(compiled);
+            self.ready = before;
+            return compiled;
         }
-        // The scene before is let go first, and with it the trees of meshes that nobody else has.
-        self.ready = None;
-        self.trees.keep_living();
-        let compiled = Arc::new((self.compile)(scene, &mut self.trees, threads));
+        let last = before.as_ref().map(|(scene, compiled)| (&**scene, &**compiled));
+        let compiled = Arc::new((self.compile)(last, scene, &mut self.trees, threads));
         self.ready = Some((Arc::clone(scene), Arc::clone(&compiled)));
+        // With the scene before go the trees of meshes that nobody else has.
+        drop(before);
+        self.trees.keep_living();
         compiled
     }
 

@@ -1,8 +1,9 @@
 //! Which object is where in a picture.
 
 use super::mailbox::LiveRequest;
+use crate::compiled::have_same_shapes;
 use crate::math::ray::NO_OBJECT;
-use luch_scene::{Camera, ImageSize, Object, Scene};
+use luch_scene::{Camera, ImageSize, Scene};
 use std::fmt;
 use std::sync::Arc;
 
@@ -79,13 +80,7 @@ impl Sight {
     pub(super) fn through(self, request: &LiveRequest) -> Option<Self> {
         let (old, new) = (&self.camera, &request.job.camera);
         let same_view = old.position == new.position && old.aim == new.aim && old.fov == new.fov;
-        let holds = same_view && self.map.size == request.job.size && same_shapes(&self.scene, &request.scene);
+        let holds = same_view && self.map.size == request.job.size && have_same_shapes(&self.scene, &request.scene);
         holds.then(|| Self::new(request, self.map))
     }
-}
-
-/// Whether two scenes have the same shapes in the same order. Meshes are compared by identity.
-fn same_shapes(a: &Arc<Scene>, b: &Arc<Scene>) -> bool {
-    let same = |(a, b): (&Object, &Object)| a.hidden == b.hidden && (a.hidden || a.shape == b.shape);
-    Arc::ptr_eq(a, b) || (a.objects.len() == b.objects.len() && a.objects.iter().zip(&b.objects).all(same))
 }

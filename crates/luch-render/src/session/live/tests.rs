@@ -1,13 +1,14 @@
 //! What happens when something goes wrong, and when the owner goes away.
 
 use super::*;
-use crate::compiled::{CompiledScene, MeshTrees, Surface, compile};
+use crate::compiled::{CompiledScene, MeshTrees, Surface, compile, compile_after};
 use crate::session::RenderJob;
 use luch_scene::{
-    Aim, Camera, ImageSize, Light, Mesh, MeshData, MeshInstance, Object, Point, Rotation, Scene, Shape, Size, Unit,
+    Aim, Camera, ImageSize, Light, Mesh, MeshData, MeshInstance, Object, Point, RayCount, Rotation, Sampling, Scene,
+    Shape, Size, Unit,
 };
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
-use std::sync::{Mutex, Weak};
+use std::sync::{Condvar, Mutex, Weak};
 use std::time::{Duration, Instant};
 
 const HUNG: Duration = Duration::from_secs(60);
@@ -27,7 +28,12 @@ fn request(name: &str, side: u32) -> LiveRequest {
 }
 
 /// Compiles a scene, but panics for one called "bad", and for one called "broken" gives one that breaks the workers.
-fn sabotaged(scene: &Scene, trees: &mut MeshTrees, threads: usize) -> CompiledScene {
+fn sabotaged(
+    _: Option<(&Scene, &CompiledScene)>,
+    scene: &Scene,
+    trees: &mut MeshTrees,
+    threads: usize,
+) -> CompiledScene {
     assert_ne!(scene.name, "bad");
     let mut compiled = compile(scene, trees, threads);
     if scene.name == "broken" {
@@ -124,7 +130,7 @@ fn a_dropped_session_leaves_no_thread_and_no_memory() {
         })
         .unwrap();
         let mut wanted = request("good", side);
-        wanted.job.antialiasing = luch_scene::Sampling { on: true, rays: luch_scene::RayCount::new(4096).unwrap() };
+        wanted.job.antialiasing = Sampling { on: true, rays: RayCount::new(4096).unwrap() };
         let scene = Arc::downgrade(&wanted.scene);
         session.show(wanted);
         if side == 60 {
@@ -190,4 +196,66 @@ fn trees_live_as_long_as_somebody_has_their_mesh() {
     drop(mesh);
     finished(&request("none", 20));
     assert_eq!(first.strong_count(), 0, "nobody can ask for it any more");
+}
+
+/// Where the scene called "held" is held up while it is compiled.
+#[derive(Clone, Copy, PartialEq)]
+enum Gate {
+    Nobody,
+    Waiting,
+    Open,
+}
+
+static GATE: (Mutex<Gate>, Condvar) = (Mutex::new(Gate::Nobody), Condvar::new());
+
+fn set_gate(gate: Gate) {
+    *GATE.0.lock().unwrap() = gate;
+    GATE.1.notify_all();
+}
+
+fn wait_at_gate(until: Gate) {
+    let lock = GATE.0.lock().unwrap();
+    let (_lock, timeout) = GATE.1.wait_timeout_while(lock, HUNG, |gate| *gate != until).unwrap();
+    assert!(!timeout.timed_out(), "nobody comes");
+}
+
+fn held_up(
+    before: Option<(&Scene, &CompiledScene)>,
+    scene: &Scene,
+    trees: &mut MeshTrees,
+    threads: usize,
+) -> CompiledScene {
+    if scene.name == "held" {
+        set_gate(Gate::Waiting);
+        wait_at_gate(Gate::Open);
+    }
+    compile_after(before, scene, trees, threads)
+}
+
+#[test]
+fn a_picture_that_is_overtaken_before_its_first_ray_is_still_seen_once() {
+    let ((ring, bell), (go_on, gone_on)) = (sync_channel(0), sync_channel(0));
+    let gone_on = Mutex::new(gone_on);
+    let mut conductor = Conductor::new(Box::new(move || {
+        // The session waits until the test has looked.
+        let _ = ring.send(());
+        let _ = gone_on.lock().unwrap().recv();
+    }));
+    conductor.compile = held_up;
+    conductor.patience = HUNG;
+    let session = LiveSession::start_with(conductor).unwrap();
+    let mut long = request("held", 200);
+    long.job.antialiasing = Sampling { on: true, rays: RayCount::new(4096).unwrap() };
+    let first = session.show(long);
+    wait_at_gate(Gate::Waiting);
+    let second = session.show(request("good", 10));
+    set_gate(Gate::Open);
+    let mut seen = Vec::new();
+    while seen.last().is_none_or(|(_, finished)| !finished) {
+        bell.recv_timeout(HUNG).expect("something is seen");
+        seen.extend(session.latest().map(|snapshot| (snapshot.epoch, snapshot.finished)));
+        go_on.send(()).unwrap();
+    }
+    assert_eq!(seen, [(first, false), (second, true)], "once, and not twice");
+    drop((bell, go_on));
 }

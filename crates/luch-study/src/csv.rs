@@ -4,11 +4,12 @@ use crate::findings::{CaseFindings, Findings};
 use crate::statistics::Summary;
 
 /// The columns; docs/study.md explains each.
-pub const COLUMNS: [&str; 24] = [
+pub const COLUMNS: [&str; 25] = [
     "study",
     "partial",
     "scene",
     "threads",
+    "threads_started",
     "triangles",
     "rays_per_pixel",
     "tile_size",
@@ -48,6 +49,7 @@ fn row(findings: &Findings, case: &CaseFindings) -> [String; COLUMNS.len()] {
         findings.partial.to_string(),
         case.scene.clone(),
         case.threads.to_string(),
+        case.threads_started.to_string(),
         case.triangles.to_string(),
         case.rays_per_pixel.to_string(),
         case.tile_size.to_string(),
@@ -97,6 +99,7 @@ mod tests {
                 let number = |name: &str| cell(name).parse::<f64>().ok();
                 assert_eq!((cell("study"), cell("scene")), (findings.study.word(), case.scene.as_str()));
                 assert_eq!(number("threads"), Some(f64::from(case.threads)));
+                assert_eq!(number("threads_started"), Some(2.0));
                 assert_eq!(number("triangles"), Some(case.triangles as f64));
                 assert_eq!(number("runs"), Some(3.0));
                 assert_eq!(number("median_ms"), Some(case.median_ms()));
@@ -117,6 +120,6 @@ mod tests {
         let crate::Plan::Tiles { mut subjects, tiles, threads, effort } = record.study.plan().clone() else { panic!() };
         subjects[0].id = "my, \"best\".toml".to_owned();
         record.study = crate::Study::new(crate::Plan::Tiles { subjects, tiles, threads, effort }).unwrap();
-        assert!(csv(&Findings::of(&record)).contains("tiles,false,\"my, \"\"best\"\".toml\",2,"));
+        assert!(csv(&Findings::of(&record)).contains("tiles,false,\"my, \"\"best\"\".toml\",2,2,"));
     }
 }

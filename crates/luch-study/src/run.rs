@@ -26,6 +26,8 @@ pub struct Measurement {
     pub build_ms: Option<f64>,
     /// Rays traced.
     pub rays: u64,
+    /// Threads that took part: those beyond the cores begin only when a picture takes long enough to be worth it.
+    pub threads_started: u64,
     /// Root of the mean squared difference of linear light from the reference, over all pixels and colours; in the first
     /// round, where noise is measured: all runs of a case make the same picture, bit for bit.
     pub noise_rmse: Option<f64>,
@@ -107,12 +109,12 @@ fn measure(study: &Study, progress: &StudyProgress, told: &mut dyn FnMut(Measure
     }
     for round in 0..runs {
         for number in order(cases.len(), round as usize) {
-            let Run { film, render_ms, cpu_ms, build_ms, rays } = one(number)?;
+            let Run { film, render_ms, cpu_ms, build_ms, rays, threads_started } = one(number)?;
             let reference = scenes[cases[number].subject].reference.as_ref().filter(|_| round == 0);
             let noise_rmse = reference.map(|truth| rmse(&film.linear(), truth));
             // Given back before the next run, which may want the same memory.
             drop(film);
-            told(Measurement { case: number, round, render_ms, cpu_ms, build_ms, rays, noise_rmse });
+            told(Measurement { case: number, round, render_ms, cpu_ms, build_ms, rays, threads_started, noise_rmse });
         }
     }
     Ok(())
@@ -134,6 +136,7 @@ struct Run {
     cpu_ms: Option<f64>,
     build_ms: Option<f64>,
     rays: u64,
+    threads_started: u64,
 }
 
 impl Prepared {
@@ -185,7 +188,8 @@ impl Prepared {
         let outcome = render(compiled, &job, &current);
         let (render_ms, cpu_ms) = (rendering.wall_ms(), rendering.cpu_ms());
         progress.end_render();
-        Ok(Run { film: outcome?, render_ms, cpu_ms, build_ms, rays: current.rays() })
+        let (rays, threads_started) = (current.rays(), current.threads());
+        Ok(Run { film: outcome?, render_ms, cpu_ms, build_ms, rays, threads_started })
     }
 }
 

@@ -23,6 +23,7 @@ fn record(plan: Plan, times: &[f64], change: impl Fn(&mut Measurement)) -> Recor
                 cpu_ms: Some(ms * 2.0),
                 build_ms: None,
                 rays: 1_000_000,
+                threads_started: 2,
                 noise_rmse: None,
             };
             change(&mut measurement);

@@ -57,7 +57,8 @@ pub struct RenderJob {
     pub depth_of_field: Sampling,
     /// What to show.
     pub integrator: Integrator,
-    /// Threads to use, at least 1.
+    /// Threads to use, at least 1. Those that the machine does not run at once begin one by one, when the picture has taken
+    /// long enough to be worth it.
     pub threads: usize,
     /// Instruction set to use; the best of the machine where it lacks this one.
     pub simd: SimdLevel,

@@ -1,5 +1,6 @@
 //! Rendering as work: what is to be made, in which order, by which threads, and how to stop it.
 
+mod crew;
 mod job;
 pub mod live;
 mod progress;

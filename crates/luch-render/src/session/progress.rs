@@ -9,6 +9,7 @@ pub struct Progress {
     done: AtomicU64,
     total: AtomicU64,
     rays: AtomicU64,
+    threads: AtomicU64,
 }
 
 impl Progress {
@@ -47,10 +48,21 @@ impl Progress {
         self.rays.load(Ordering::Relaxed)
     }
 
+    /// Threads that took part in a render that is over; 0 before.
+    #[must_use]
+    pub fn threads(&self) -> u64 {
+        self.threads.load(Ordering::Relaxed)
+    }
+
     pub(crate) fn begin(&self, total: u64) {
         self.done.store(0, Ordering::Relaxed);
         self.rays.store(0, Ordering::Relaxed);
+        self.threads.store(0, Ordering::Relaxed);
         self.total.store(total, Ordering::Relaxed);
+    }
+
+    pub(crate) fn end(&self, threads: usize) {
+        self.threads.store(threads as u64, Ordering::Relaxed);
     }
 
     pub(crate) fn add(&self, samples: u64, rays: u64) {

@@ -1,5 +1,6 @@
 //! Renders a job to the end: threads that take tiles until none is left.
 
+use super::crew;
 use super::job::{Crop, RenderJob};
 use super::progress::Progress;
 use super::queue::{Queue, lock};
@@ -9,7 +10,6 @@ use crate::compiled::CompiledScene;
 use crate::film::Film;
 use std::fmt;
 use std::sync::{Arc, Mutex};
-use std::thread;
 
 /// Why there is no picture.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -43,7 +43,7 @@ impl std::error::Error for RenderError {}
 
 /// Renders the job and answers with the finished picture.
 ///
-/// Uses `job.threads` threads of its own and waits for them; `progress` may be watched and cancelled meanwhile.
+/// Uses up to `job.threads` threads of its own and waits for them; `progress` may be watched and cancelled meanwhile.
 ///
 /// # Errors
 /// [`RenderError`]; the picture made so far is dropped.
@@ -56,18 +56,19 @@ pub fn render(scene: &CompiledScene, job: &RenderJob, progress: &Progress) -> Re
     let film = Mutex::new(Film::new(pixels, samples));
     let queue = Queue::new(scheduler);
     let view = View::of(job);
-    let work = || {
+    let work = |between: &dyn Fn()| {
         let stop = || progress.is_cancelled() || queue.has_failed();
         let tally = |samples, rays| progress.add(samples, rays);
         let task = Task { scene, view: &view, stop: &stop, tally: &tally };
         let mut worker = Worker::default();
         queue.work_off(|_, work| {
+            between();
             let sums = worker.tile(&task, work, None, None)?;
             lock(&film).put(work.tile, Arc::new(sums));
             Some(())
         });
     };
-    run_on_threads(job.threads.clamp(1, tiles.max(1)), &work);
+    progress.end(crew::run(job.threads.clamp(1, tiles.max(1)), &work));
     if let Some(error) = queue.take_failure() {
         return Err(error);
     }
@@ -75,17 +76,4 @@ pub fn render(scene: &CompiledScene, job: &RenderJob, progress: &Progress) -> Re
         return Err(RenderError::Cancelled);
     }
     Ok(film.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner))
-}
-
-/// Runs the same work on some named threads and waits for them. If the system gives fewer, those do it, and if it gives
-/// none, the caller does.
-fn run_on_threads(threads: usize, work: &(impl Fn() + Sync)) {
-    thread::scope(|scope| {
-        let spawn =
-            |number| thread::Builder::new().name(format!("luch-render-{number}")).spawn_scoped(scope, work).is_ok();
-        let started = (0..threads).filter(|&number| spawn(number)).count();
-        if started == 0 {
-            work();
-        }
-    });
 }

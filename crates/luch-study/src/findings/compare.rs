@@ -14,6 +14,7 @@ pub(super) fn measured(record: &Record, setting: &Setting) -> Vec<CaseFindings> 
         let Some(render) = Times::of(runs.iter().map(|m| m.render_ms).collect()) else { continue };
         let cpu: Vec<f64> = runs.iter().filter_map(|m| m.cpu_ms).collect();
         let rays = runs.first().map_or(0, |m| m.rays);
+        let most_started = runs.iter().map(|m| m.threads_started).max().unwrap_or(0);
         // All meshes of the study of triangles are one scene.
         let scene = setting.scenes.get(case.subject).or(setting.scenes.first());
         cases.push(CaseFindings {
@@ -27,6 +28,7 @@ pub(super) fn measured(record: &Record, setting: &Setting) -> Vec<CaseFindings> 
             cpu_ms: Summary::of(&cpu).map(|s| decimals(s.median)),
             build: Times::of(runs.iter().filter_map(|m| m.build_ms).collect()),
             rays,
+            threads_started: u32::try_from(most_started).unwrap_or(u32::MAX),
             noise_rmse: runs.iter().find_map(|m| m.noise_rmse),
             speed_up: None,
             efficiency: None,

@@ -87,6 +87,9 @@ pub struct CaseFindings {
     pub cpu_ms: Option<f64>,
     /// For triangles: the time to make the scene ready.
     pub build: Option<Times>,
+    /// The most threads that took part in a run: those beyond the cores begin only when a picture takes long enough to be
+    /// worth it.
+    pub threads_started: u32,
     /// Rays traced for one picture.
     pub rays: u64,
     /// Rays a second, in the median run.

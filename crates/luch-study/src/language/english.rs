@@ -40,6 +40,7 @@ pub(super) static TEXT: Text = Text {
     machine: "The machine",
 
     threads: "Threads",
+    threads_started: "Started",
     triangles: "Triangles",
     rays_per_pixel: "Rays per pixel",
     tile_side: "Side of a tile",
@@ -156,6 +157,9 @@ pub(super) static TEXT: Text = Text {
         )
     },
     method_quartiles: "Quartiles are those of Hyndman and Fan\u{2019}s definition 7 (1996), as in NumPy, R and spreadsheets.",
+    method_started: "Threads beyond those that the machine runs at once begin one by one, each when the picture has taken so \
+                     long that starting it costs a hundredth of that; \u{201c}started\u{201d} are the most that took part in a \
+                     run.",
     method_law: |threads| {
         format!(
             "Amdahl\u{2019}s law, T(n) = T(1) (s + (1 \u{2212} s) / n), is fitted to the medians of {threads} threads, those \

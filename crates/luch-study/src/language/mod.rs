@@ -82,6 +82,7 @@ pub(crate) struct Text {
 
     // What is measured: columns and axes.
     pub(crate) threads: &'static str,
+    pub(crate) threads_started: &'static str,
     pub(crate) triangles: &'static str,
     pub(crate) rays_per_pixel: &'static str,
     pub(crate) tile_side: &'static str,
@@ -161,6 +162,7 @@ pub(crate) struct Text {
     pub(crate) method_threads: fn(threads: u32) -> String,
     pub(crate) method_runs: fn(warm_up: u32, runs: u32) -> String,
     pub(crate) method_quartiles: &'static str,
+    pub(crate) method_started: &'static str,
     pub(crate) method_law: fn(threads: &str) -> String,
     pub(crate) method_law_exact: &'static str,
     pub(crate) method_efficiency: &'static str,

@@ -133,6 +133,7 @@ impl Page<'_> {
         method.push(text.method_quartiles.to_owned());
         match findings.study {
             Kind::Threads => {
+                method.push(text.method_started.to_owned());
                 method.push(text.method_efficiency.to_owned());
                 let cores = findings.machine.cores_for_threads();
                 let base = findings.most_threads_with_cores();
@@ -219,8 +220,8 @@ mod tests {
             "- **Two spheres** against **One sphere**: +26.7 % of time",
             "- More threads than the 2 cores change the median time by +50.0 % at worst.",
             "![A  title ](threads-all.svg)",
-            "| 2 | 60.00 | 59.50\u{2013}60.50 | 59.00 | 1.83 | 0.92 |  | 120.0 | 16.7 |",
-            "| 4 | 60.00 | 59.50\u{2013}60.50 | 59.00 | 1.67 | 0.42 | +20.0 | 120.0 | 16.7 |",
+            "| 2 | 2 | 60.00 | 59.50\u{2013}60.50 | 59.00 | 1.83 | 0.92 |  | 120.0 | 16.7 |",
+            "| 4 | 2 | 60.00 | 59.50\u{2013}60.50 | 59.00 | 1.67 | 0.42 | +20.0 | 120.0 | 16.7 |",
             "| Mean | +26.7 |",
             "| 1 | 626.01 | 694.57 | +11.0 |",
             "The size of its pictures is not stated",
@@ -239,8 +240,8 @@ mod tests {
         for part in [
             "# Зависимость времени визуализации от числа потоков\n",
             "- **Одна сфера**: 100,0 мс на одном потоке, 50,00 мс на 2 потоках: быстрее в 2,00 раза.\n",
-            "| Число потоков | Медиана, мс | Квартили, мс | Минимум, мс | Ускорение | Эффективность |",
-            "| 4 | 60,00 | 59,50\u{2013}60,50 | 59,00 | 1,67 | 0,42 | +20,0 | 120,0 | 16,7 |",
+            "| Число потоков | Запущено | Медиана, мс | Квартили, мс | Минимум, мс | Ускорение | Эффективность |",
+            "| 4 | 2 | 60,00 | 59,50\u{2013}60,50 | 59,00 | 1,67 | 0,42 | +20,0 | 120,0 | 16,7 |",
             "Размер изображения не указан",
         ] {
             assert!(text.contains(part), "{part}\nis not in\n{text}");

@@ -40,6 +40,9 @@ impl Page<'_> {
             Kind::Rays => (text.rays_per_pixel, Box::new(|case| numbers.whole(u64::from(case.rays_per_pixel)))),
             Kind::Tiles => (text.tile_side, Box::new(|case| case.tile_size.to_string())),
         }];
+        if self.findings.study == Kind::Threads {
+            columns.push((text.threads_started, Box::new(|case| case.threads_started.to_string())));
+        }
         if self.findings.study == Kind::Triangles {
             let build = move |case: &CaseFindings| {
                 let written = case.build.as_ref().map(&times);

@@ -55,8 +55,8 @@ fn threads_of_both_scenes_are_measured_and_written() {
 
     let csv = String::from_utf8(folder.read("out/study.csv")).unwrap();
     let rows: Vec<Vec<&str>> = csv.lines().map(|line| line.split(',').collect()).collect();
-    assert_eq!((rows.len(), rows[0][8]), (7, "median_ms"));
-    assert_eq!(rows[4][8].parse::<f64>().ok(), cases[3]["render"]["summary_ms"]["median"].as_f64());
+    assert_eq!((rows.len(), rows[0][9]), (7, "median_ms"));
+    assert_eq!(rows[4][9].parse::<f64>().ok(), cases[3]["render"]["summary_ms"]["median"].as_f64());
 
     let report = String::from_utf8(folder.read("out/study.md")).unwrap();
     assert!(report.starts_with("# Render time against the number of threads\n"), "{report}");

@@ -1,19 +1,21 @@
 //! The list of the scene's objects and lights.
 
 use crate::command::Command;
+use crate::document::Stamp;
 use crate::selection::Part;
 use crate::state::Desk;
 use crate::undo::Gesture;
 use crate::widgets::icon::{self, Icon};
 use egui::{Align, Button, Id, Layout, ScrollArea, TextEdit, Ui, vec2};
+use std::sync::Arc;
 
 /// Rows that are seen at once.
 const ROWS: f32 = 9.0;
 
 pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
     let filter = filter_field(ui, desk);
-    let parts = parts_of(desk, &filter);
-    if parts.is_empty() {
+    let rows = Rows::of(ui, desk, &filter);
+    if rows.len() == 0 {
         ui.weak(desk.texts.objects_none_found());
         return;
     }
@@ -21,14 +23,14 @@ pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
     let newly = newly_selected(ui, desk);
     let mut area = ScrollArea::vertical().id_salt("objects").max_height(ROWS * height).auto_shrink([false, true]);
     // A selection made in the picture is brought into sight in the list.
-    if let Some(row) = newly.and_then(|part| parts.iter().position(|known| *known == part)) {
+    if let Some(row) = newly.and_then(|part| rows.place_of(part)) {
         let row_height = height + ui.spacing().item_spacing.y;
         let offset = (row as f32 - ROWS / 2.0).max(0.0) * row_height;
         area = area.vertical_scroll_offset(offset);
     }
-    area.show_rows(ui, height, parts.len(), |ui, rows| {
-        for part in parts.get(rows).unwrap_or_default() {
-            row(ui, desk, *part);
+    area.show_rows(ui, height, rows.len(), |ui, range| {
+        for part in range.filter_map(|place| rows.at(place)) {
+            row(ui, desk, part);
         }
     });
 }
@@ -49,13 +51,60 @@ fn filter_field(ui: &mut Ui, desk: &Desk<'_>) -> String {
     filter.to_lowercase()
 }
 
-/// Objects and lights whose names have the words of the filter.
-fn parts_of(desk: &Desk<'_>, filter: &str) -> Vec<Part> {
-    let scene = desk.scene();
-    let matches = |name: &str| filter.is_empty() || name.to_lowercase().contains(filter);
-    let objects = scene.objects.iter().enumerate().filter(|(_, o)| matches(&o.name)).map(|(i, _)| Part::Object(i));
-    let lights = scene.lights.iter().enumerate().filter(|(_, l)| matches(&l.name)).map(|(i, _)| Part::Light(i));
-    objects.chain(lights).collect()
+/// The rows of the list. A frame costs as much for a million objects as for ten.
+enum Rows {
+    /// All objects, then all lights.
+    All { objects: usize, lights: usize },
+    /// Those whose names have the words of the filter.
+    Found(Arc<Vec<Part>>),
+}
+
+/// What was found last: with which words, in which state of the scene.
+type Found = (String, Stamp, Arc<Vec<Part>>);
+
+impl Rows {
+    fn of(ui: &Ui, desk: &Desk<'_>, filter: &str) -> Self {
+        let scene = desk.scene();
+        if filter.is_empty() {
+            return Self::All { objects: scene.objects.len(), lights: scene.lights.len() };
+        }
+        let (id, state) = (Id::unique("objects found"), desk.state.document.stamp());
+        let known: Option<Found> = ui.data(|d| d.get_temp(id));
+        if let Some((words, of, found)) = known
+            && (words.as_str(), of) == (filter, state)
+        {
+            return Self::Found(found);
+        }
+        let matches = |name: &str| name.to_lowercase().contains(filter);
+        let objects = scene.objects.iter().enumerate().filter(|(_, o)| matches(&o.name)).map(|(i, _)| Part::Object(i));
+        let lights = scene.lights.iter().enumerate().filter(|(_, l)| matches(&l.name)).map(|(i, _)| Part::Light(i));
+        let found: Arc<Vec<Part>> = Arc::new(objects.chain(lights).collect());
+        ui.data_mut(|d| d.insert_temp::<Found>(id, (filter.to_owned(), state, Arc::clone(&found))));
+        Self::Found(found)
+    }
+
+    fn len(&self) -> usize {
+        match self {
+            Self::All { objects, lights } => objects + lights,
+            Self::Found(found) => found.len(),
+        }
+    }
+
+    fn at(&self, place: usize) -> Option<Part> {
+        match self {
+            Self::All { objects, .. } if place < *objects => Some(Part::Object(place)),
+            Self::All { objects, lights } => (place - objects < *lights).then(|| Part::Light(place - objects)),
+            Self::Found(found) => found.get(place).copied(),
+        }
+    }
+
+    fn place_of(&self, part: Part) -> Option<usize> {
+        match (self, part) {
+            (Self::All { .. }, Part::Object(index)) => Some(index),
+            (Self::All { objects, .. }, Part::Light(index)) => Some(objects + index),
+            (Self::Found(found), part) => found.iter().position(|known| *known == part),
+        }
+    }
 }
 
 /// What is selected, if it was not when the list was drawn last.

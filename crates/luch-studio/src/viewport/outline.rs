@@ -20,7 +20,7 @@ pub(super) enum Strength {
     Faint,
 }
 
-/// The loops around an object's pixels, in pixels of the map.
+/// The loops around an object's pixels, in blocks of the map.
 type Loops = Arc<Vec<Vec<Pos2>>>;
 
 /// What was traced last: for which picture, which object.
@@ -43,12 +43,11 @@ pub(super) fn draw(
     let Some(map) = &snapshot.objects else { return };
     let Some(index) = super::lookup::same_object(desk.scene(), index, &snapshot.scene) else { return };
     let loops = traced(painter, map, index, strength);
-    let scale = [
-        snapshot.job.size.width() as f32 / map.width() as f32,
-        snapshot.job.size.height() as f32 / map.height() as f32,
-    ];
+    let (side, [width, height]) = (map.shrink() as f32, [map.width(), map.height()].map(|side| side as f32));
+    // The last blocks of a preview may reach beyond the picture.
+    let place = |p: &Pos2| frame.point_of_pixel((p.x * side).min(width), (p.y * side).min(height));
     for outline in loops.iter() {
-        let points: Vec<Pos2> = outline.iter().map(|p| frame.point_of_pixel(p.x * scale[0], p.y * scale[1])).collect();
+        let points: Vec<Pos2> = outline.iter().map(place).collect();
         match strength {
             Strength::Crisp => {
                 painter.add(Shape::closed_line(points.clone(), Stroke::new(4.0, Color32::from_black_alpha(140))));
@@ -70,8 +69,9 @@ fn traced(painter: &Painter, map: &Arc<ObjectMap>, object: usize, strength: Stre
     {
         return known.loops;
     }
-    let inside = |x: u32, y: u32| map.at(x, y) == Some(object);
-    let loops: Loops = Arc::new(trace(map.width(), map.height(), inside));
+    let side = map.shrink();
+    let inside = |x: u32, y: u32| map.at(x * side, y * side) == Some(object);
+    let loops: Loops = Arc::new(trace(map.width().div_ceil(side), map.height().div_ceil(side), inside));
     let traced = Traced { map: Arc::clone(map), object, loops: Arc::clone(&loops) };
     painter.ctx().data_mut(|d| d.insert_temp(id, traced));
     loops

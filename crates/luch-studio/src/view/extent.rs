@@ -72,6 +72,19 @@ impl Extent {
         self.radius + (x.length_squared() + y.length_squared() + z.length_squared()).sqrt()
     }
 
+    /// The radius of a ball; `None` for a box.
+    pub(crate) fn radius(&self) -> Option<f64> {
+        (self.radius > 0.0).then_some(self.radius)
+    }
+
+    /// The corners of a box. Each bit of a corner's number stands for a side.
+    pub(crate) fn corners(&self) -> [DVec3; 8] {
+        let sign = |corner: usize, bit: usize| if corner & bit == 0 { -1.0 } else { 1.0 };
+        std::array::from_fn(|corner| {
+            self.center + self.half * DVec3::new(sign(corner, 1), sign(corner, 2), sign(corner, 4))
+        })
+    }
+
     /// How far it reaches along `way`: the greatest product with it.
     fn support(&self, way: DVec3) -> f64 {
         let across = (self.half.transpose() * way).abs().element_sum();
@@ -121,9 +134,8 @@ mod tests {
     fn filled(eye: &Eye, extent: &Extent, slopes: [f64; 2]) -> [f64; 2] {
         let [right, up, forward] = eye.axes();
         let mut most = [0.0_f64; 2];
-        for corner in 0..8 {
-            let sign = |bit: i32| if corner & bit == 0 { 1.0 } else { -1.0 };
-            let away = extent.center + extent.half * DVec3::new(sign(1), sign(2), sign(4)) - eye.position;
+        for corner in extent.corners() {
+            let away = corner - eye.position;
             let depth = away.dot(forward);
             assert!(depth > 0.0);
             most[0] = most[0].max((away.dot(right) / depth).abs() / slopes[0]);

@@ -3,6 +3,7 @@
 mod canvas;
 pub(crate) mod focus;
 mod frame;
+mod ghost;
 mod gizmo;
 mod label;
 mod lights;
@@ -80,6 +81,7 @@ fn work_in(
         }
     }
     focus::show(painter, response, clicked, frame, snapshot, desk);
+    ghost::draw(painter, frame.rect, snapshot, desk);
     draw_marks(painter, frame, snapshot, desk, under);
     gizmo.draw(painter, response, frame, desk);
     if response.has_focus() {

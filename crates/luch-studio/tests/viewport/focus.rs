@@ -94,10 +94,16 @@ fn with_depth_of_field_the_click_is_the_same_and_needs_no_notice() {
     desk.resize(240, 180);
     desk.tick(desk.words.depth_of_field);
     let before = desk.picture();
-    let [across, down] = middle_of_sphere();
+    // The middle of a pixel of the floor in front, where the rays through the lens are spread.
+    let [across, down] = [(60.0 + 0.5) / 240.0, (170.0 + 0.5) / 180.0];
     desk.click_picture(across, down);
-    // The rays through the lens are spread; the focus is measured through its middle.
-    assert!((focus(&desk) - depth_of_sphere()).abs() < 1e-3, "{} {}", focus(&desk), depth_of_sphere());
+    let [eye, right, up, forward] = axes();
+    let tall = 22.5_f64.to_radians().tan();
+    let (x, y) = (f64::from(across) * 2.0 - 1.0, 1.0 - f64::from(down) * 2.0);
+    let way = forward + right * (x * tall * 4.0 / 3.0) + up * (y * tall);
+    // The way goes forward by 1: what it takes to reach the floor is the distance along the view.
+    let expected = eye.y / -way.y;
+    assert!((focus(&desk) - expected).abs() < 1e-3, "{} {expected}: through the middle of the lens", focus(&desk));
     assert!(desk.harness.query_by_label(TERMS[0].is_set).is_none());
     assert!(desk.picture().differences(&before, 2) > 500, "the picture is focused anew");
 }

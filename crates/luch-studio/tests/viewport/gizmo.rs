@@ -188,9 +188,9 @@ fn a_click_on_a_handle_selects_nothing_else_and_a_drag_beside_it_looks_around() 
 
 #[test]
 fn what_is_deleted_while_it_is_dragged_drags_nothing_else() {
-    let mut desk = desk("Sphere", Key::W);
+    let mut desk = desk("Cube", Key::W);
     let count = desk.harness.state().scene().objects.len();
-    let center = shape(&desk, "Sphere").position().get();
+    let center = shape(&desk, "Cube").position().get();
     let along = way(&desk, center, Vec3::Y);
     let at = seen(&desk, center) + along * 60.0;
     let held = hold(&mut desk, at).drag(&mut desk, along * 30.0);

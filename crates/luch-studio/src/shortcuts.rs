@@ -3,19 +3,18 @@
 use crate::command::Command;
 use crate::state::Desk;
 use crate::viewport;
-use egui::{Context, Key, Modifiers};
+use egui::{Context, Id, Key, KeyboardShortcut, Modifiers, Popup};
 
 pub(crate) fn take(ctx: &Context, desk: &mut Desk<'_>) {
     if desk.state.dialog.is_some() {
         return;
     }
-    let typing = ctx.text_edit_focused();
-    let mut keys: Vec<_> = Command::with_shortcuts().into_iter().filter_map(|c| Some((c.shortcut()?, c))).collect();
-    // A key counts with Shift held, too: the one that wants it comes first.
-    keys.sort_by_key(|(shortcut, _)| !shortcut.modifiers.shift);
-    for (shortcut, command) in keys {
-        // A plain key belongs to the field that is typed into.
-        if typing && shortcut.modifiers == Modifiers::NONE && !is_function_key(shortcut.logical_key) {
+    // Escape has taken the focus from the field already: what counts is where it was when the key was pressed.
+    let typing = ctx.text_edit_focused() || ctx.data(|d| d.get_temp(typing_id())).unwrap_or(false);
+    let in_menu = Popup::is_any_open(ctx);
+    for (command, shortcut) in longest_first() {
+        // A plain key belongs to the field that is typed into, or to the menu that is open.
+        if (typing || in_menu) && shortcut.modifiers == Modifiers::NONE && !is_function_key(shortcut.logical_key) {
             continue;
         }
         // Escape takes back what is being dragged, and only that.
@@ -26,7 +25,7 @@ pub(crate) fn take(ctx: &Context, desk: &mut Desk<'_>) {
             desk.send(command);
         }
     }
-    if !typing {
+    if !typing && !in_menu {
         let cameras = desk.scene().cameras.len();
         for (index, key) in CAMERAS.into_iter().enumerate().take(cameras) {
             if ctx.input_mut(|i| i.consume_key(Modifiers::NONE, key)) {
@@ -34,6 +33,25 @@ pub(crate) fn take(ctx: &Context, desk: &mut Desk<'_>) {
             }
         }
     }
+}
+
+/// Notes at the end of a frame whether a field is typed into.
+pub(crate) fn note_typing(ctx: &Context) {
+    let typing = ctx.text_edit_focused();
+    ctx.data_mut(|d| d.insert_temp(typing_id(), typing));
+}
+
+fn typing_id() -> Id {
+    Id::unique("typing")
+}
+
+/// The commands with keys, those with more modifiers first: a shortcut without Shift is taken with it too, and redo, which
+/// has it, must not end as undo.
+fn longest_first() -> Vec<(Command, KeyboardShortcut)> {
+    let with_keys = Command::with_shortcuts().into_iter();
+    let mut list: Vec<_> = with_keys.filter_map(|command| command.shortcut().map(|keys| (command, keys))).collect();
+    list.sort_by_key(|(_, keys)| std::cmp::Reverse(u8::from(keys.modifiers.shift) + u8::from(keys.modifiers.alt)));
+    list
 }
 
 /// The keys of the first nine cameras.

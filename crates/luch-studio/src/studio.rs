@@ -356,6 +356,7 @@ impl eframe::App for Studio {
         viewport::show(ui, desk);
         study::show(&ctx, desk);
         dialogs::show(&ctx, desk);
+        shortcuts::note_typing(&ctx);
         for command in commands {
             self.apply(command, &ctx);
         }

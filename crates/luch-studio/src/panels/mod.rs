@@ -38,6 +38,9 @@ pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
             ui.add_space(8.0);
         });
     });
+    // egui gives the handle between picture and panel an English name only.
+    let handle = ui.scope_id().with("controls").with("__resize");
+    ui.ctx().accesskit_node_builder(handle, |node| node.set_label(desk.texts.panel_resize()));
     hints::show(ui.ctx(), desk);
     notices::show(ui.ctx(), desk);
 }

@@ -28,13 +28,16 @@ impl NumberFormat {
         if text.is_empty() {
             return Err(texts.input_empty());
         }
+        // `nan` and `inf` are numbers to Rust, not to people: the only letter in a number is that of its exponent.
+        if text.contains(|c: char| c.is_alphabetic() && !matches!(c, 'e' | 'E')) {
+            return Err(texts.input_no_number(text));
+        }
         // A decimal comma is a point: `0,5` is typed where `0.5` is meant.
         let value: f64 =
             text.replace(',', ".").replace('\u{2212}', "-").parse().map_err(|_| texts.input_no_number(text))?;
-        if self.decimals == 0 && value.fract() != 0.0 {
+        if self.decimals == 0 && value.is_finite() && value.fract() != 0.0 {
             return Err(texts.input_no_whole_number(text));
         }
-        // NaN is in no range.
         if self.range.contains(&value) {
             return Ok(value);
         }

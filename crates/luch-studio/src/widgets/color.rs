@@ -1,6 +1,6 @@
 //! A colour: a patch that opens a picker, and its hex code.
 
-use super::row;
+use super::{picker, row};
 use crate::l10n::Texts;
 use crate::undo::Gesture;
 use egui::{TextEdit, Ui, vec2};
@@ -11,9 +11,9 @@ pub(crate) fn field(ui: &mut Ui, texts: &Texts, name: &str, tooltip: &str, value
     let id = ui.scope_id().with(("color", name));
     let (mut typed, mut error): (Option<String>, Option<String>) = ui.data(|d| d.get_temp(id)).unwrap_or_default();
     let changed = row::labelled(ui, name, tooltip, |ui, label| {
-        let mut rgb = value.to_srgb8();
-        let patch = ui.color_edit_button_srgb(&mut rgb).labelled_by(label.id);
-        let picked = patch.changed().then(|| (Color::srgb8(rgb), Gesture::Ongoing(patch.id)));
+        let (patch, picked) = picker::button(ui, texts, name, value.to_srgb8());
+        patch.labelled_by(label.id);
+        let picked = picked.map(|(rgb, gesture)| (Color::srgb8(rgb), gesture));
 
         // The code of a colour that eight bits cannot say is the nearest one, and changes nothing until it is typed over.
         let [r, g, b] = value.to_srgb8();

@@ -4,5 +4,6 @@ pub(crate) mod check;
 pub(crate) mod color;
 pub(crate) mod icon;
 pub(crate) mod number;
+pub(crate) mod picker;
 pub(crate) mod row;
 pub(crate) mod text;

@@ -1,8 +1,8 @@
 //! Tests 4 to 7: cameras and the field of view.
 
 use crate::everywhere;
-use crate::reference::{Reference, scene};
 use crate::scenes::assert_both_spheres;
+use crate::support::reference::{Reference, scene};
 use luch_scene::FieldOfView;
 
 const SIZE: [u32; 2] = [160, 120];

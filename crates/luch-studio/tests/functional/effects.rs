@@ -1,7 +1,7 @@
 //! Tests 11 and 12: antialiasing and depth of field.
 
 use crate::everywhere;
-use crate::reference::Reference;
+use crate::support::reference::Reference;
 use luch_scene::{Positive, RayCount, Sampling};
 
 /// An effect with 64 rays.

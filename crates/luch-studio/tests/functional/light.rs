@@ -1,7 +1,7 @@
 //! Tests 10, 13 and 14: the light's intensity, mirrors and highlights.
 
 use crate::everywhere;
-use crate::reference::Reference;
+use crate::support::reference::Reference;
 use luch_scene::{Color, NonNegative, Scene, Unit};
 
 const SIZE: [u32; 2] = [160, 120];

@@ -6,8 +6,6 @@
 #[path = "../support/mod.rs"]
 mod support;
 
-mod reference;
-
 mod cameras;
 mod effects;
 mod light;

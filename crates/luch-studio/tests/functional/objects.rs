@@ -1,8 +1,8 @@
 //! Tests 8 and 9: an object selected by a click in the picture, and one selected in the list.
 
 use crate::everywhere;
-use crate::reference::Reference;
 use crate::support::Desk;
+use crate::support::reference::Reference;
 use egui::accesskit::{Role, Toggled};
 use egui_kittest::kittest::{NodeT, Queryable};
 use luch_scene::{Color, Scene, Unit};

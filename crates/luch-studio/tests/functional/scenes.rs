@@ -1,7 +1,7 @@
 //! Tests 1 to 3: the built-in scenes.
 
 use crate::everywhere;
-use crate::reference::Reference;
+use crate::support::reference::Reference;
 
 /// Both spheres are in the picture, orange and teal, neither of them flat.
 pub(crate) fn assert_both_spheres(reference: &Reference) {

@@ -2,7 +2,10 @@
 
 #![allow(dead_code, unreachable_pub, reason = "every test program uses its part of this")]
 
-use egui::{Modifiers, PointerButton, Pos2, accesskit::Role};
+pub mod reference;
+mod tree;
+
+use egui::{Key, Modifiers, PointerButton, Pos2, accesskit::Role};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use luch_scene::color::linear_from_srgb;
@@ -27,11 +30,13 @@ pub struct Words {
     pub antialiasing: &'static str,
     pub rays_per_pixel: &'static str,
     pub depth_of_field: &'static str,
+    pub rays_over_the_lens: &'static str,
     pub focal_distance: &'static str,
     pub picture: &'static str,
     pub picture_width: &'static str,
     pub picture_height: &'static str,
     pub live_update: &'static str,
+    pub find_by_name: &'static str,
 }
 
 /// Both languages of the window. The Russian words are those of the original program.
@@ -51,11 +56,13 @@ pub const LANGUAGES: [Words; 2] = [
         antialiasing: "Antialiasing",
         rays_per_pixel: "Rays per pixel",
         depth_of_field: "Depth of field",
+        rays_over_the_lens: "Rays over the lens",
         focal_distance: "Focal distance",
         picture: "Picture",
         picture_width: "Picture width",
         picture_height: "Picture height",
         live_update: "Live update",
+        find_by_name: "Find by name",
     },
     Words {
         language: "ru",
@@ -72,11 +79,13 @@ pub const LANGUAGES: [Words; 2] = [
         antialiasing: "Сглаживание",
         rays_per_pixel: "Лучей на пиксель",
         depth_of_field: "Глубина поля",
+        rays_over_the_lens: "Лучей на объектив",
         focal_distance: "Фокусное расстояние",
         picture: "Изображение",
         picture_width: "Ширина изображения",
         picture_height: "Высота изображения",
         live_update: "Обновлять сразу",
+        find_by_name: "Найти по имени",
     },
 ];
 
@@ -180,6 +189,7 @@ impl Desk {
 
     /// Opens the list of that name and clicks an entry of it.
     pub fn choose(&mut self, list: &str, entry: &str) {
+        self.scroll_to(Role::ComboBox, list);
         self.harness.get_by_role_and_label(Role::ComboBox, list).click();
         self.harness.step();
         self.harness.step();
@@ -202,15 +212,23 @@ impl Desk {
 
     /// Types a value into the field of that name and presses Enter.
     pub fn type_into(&mut self, name: &str, text: &str) {
+        self.begin_typing(name, text);
+        self.harness.key_press(Key::Enter);
+        self.settle();
+    }
+
+    /// Types a value into the field of that name and stays there.
+    pub fn begin_typing(&mut self, name: &str, text: &str) {
         self.scroll_to(Role::TextInput, name);
         self.harness.get_by_role_and_label(Role::TextInput, name).click();
         self.harness.step();
-        self.harness.key_press_modifiers(Modifiers::COMMAND, egui::Key::A);
+        self.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+        self.harness.key_press(Key::Backspace);
         self.harness.step();
-        self.harness.get_by_role_and_label(Role::TextInput, name).type_text(text);
-        self.harness.step();
-        self.harness.key_press(egui::Key::Enter);
-        self.settle();
+        if !text.is_empty() {
+            self.harness.get_by_role_and_label(Role::TextInput, name).type_text(text);
+            self.harness.step();
+        }
     }
 
     /// Ticks or unticks the box of that name.
@@ -220,8 +238,23 @@ impl Desk {
         self.settle();
     }
 
+    /// Chooses one of several that exclude each other.
+    pub fn choose_radio(&mut self, name: &str) {
+        self.scroll_to(Role::RadioButton, name);
+        self.harness.get_by_role_and_label(Role::RadioButton, name).click();
+        self.settle();
+    }
+
     /// Clicks a row of the list of objects.
     pub fn select_in_list(&mut self, name: &str) {
+        self.press_in_list(name);
+        assert_eq!(self.harness.state().selected(), Some(name));
+    }
+
+    /// Clicks a button in the list of objects.
+    pub fn press_in_list(&mut self, name: &str) {
+        // The list lies below the field that filters it, and scrolls by itself.
+        self.scroll_to(Role::TextInput, self.words.find_by_name);
         self.scroll_to(Role::Button, name);
         self.harness.get_by_role_and_label(Role::Button, name).click();
         self.settle();

@@ -1,6 +1,6 @@
 //! What the command line would make: the picture of a scene, and what is seen at each of its pixels.
 
-use crate::support::{Desk, Picture};
+use super::{Desk, Picture};
 use glam::Vec3;
 use luch_io::budget::Budget;
 use luch_io::library::MeshLibrary;
@@ -15,16 +15,16 @@ use std::sync::{Mutex, PoisonError};
 static TREES: Mutex<Option<MeshTrees>> = Mutex::new(None);
 
 /// A picture made without a window.
-pub(crate) struct Reference {
-    pub(crate) scene: Scene,
-    pub(crate) picture: Picture,
+pub struct Reference {
+    pub scene: Scene,
+    pub picture: Picture,
     job: RenderJob,
     picks: Vec<Option<Pick>>,
 }
 
 impl Reference {
     /// The picture from a camera of a built-in scene, counted from 1, at a size, after a change of the scene.
-    pub(crate) fn new(id: &'static str, camera: usize, size: [u32; 2], change: impl FnOnce(&mut Scene)) -> Self {
+    pub fn new(id: &'static str, camera: usize, size: [u32; 2], change: impl FnOnce(&mut Scene)) -> Self {
         let mut scene = scene(id);
         scene.settings.size = ImageSize::new(size[0], size[1]).unwrap();
         change(&mut scene);
@@ -42,35 +42,35 @@ impl Reference {
     }
 
     /// The name of the object that is seen at a pixel; empty for the background.
-    pub(crate) fn name_at(&self, pixel: usize) -> &str {
+    pub fn name_at(&self, pixel: usize) -> &str {
         self.picks[pixel].map_or("", |pick| &self.scene.objects[pick.object].name)
     }
 
     /// The pixels where an object of such a name is seen.
-    pub(crate) fn pixels(&self, of: impl Fn(&str) -> bool) -> Vec<usize> {
+    pub fn pixels(&self, of: impl Fn(&str) -> bool) -> Vec<usize> {
         (0..self.picks.len()).filter(|&i| of(self.name_at(i))).collect()
     }
 
     /// The pixels of one object.
-    pub(crate) fn of(&self, name: &str) -> Vec<usize> {
+    pub fn of(&self, name: &str) -> Vec<usize> {
         assert!(self.scene.object_named(name).is_some(), "the scene has no {name}");
         self.pixels(|n| n == name)
     }
 
     /// The share of the picture that an object takes.
-    pub(crate) fn share(&self, name: &str) -> f64 {
+    pub fn share(&self, name: &str) -> f64 {
         self.of(name).len() as f64 / self.picks.len() as f64
     }
 
     /// The distance along the view of what is seen at a pixel, infinite for the background.
-    pub(crate) fn distance(&self, pixel: usize) -> f32 {
+    pub fn distance(&self, pixel: usize) -> f32 {
         let camera = &self.job.camera;
         let [_, _, forward]: [Vec3; 3] = camera.frame();
         self.picks[pixel].map_or(f32::INFINITY, |pick| forward.dot(pick.point - camera.position.get()))
     }
 
     /// The middle of the pixel of an object that is farthest from all others, as parts of the picture's width and height.
-    pub(crate) fn inside(&self, name: &str) -> [f32; 2] {
+    pub fn inside(&self, name: &str) -> [f32; 2] {
         let (width, height) = (self.picture.width as usize, self.picture.height as usize);
         let pixels = self.of(name);
         let is_inside = |x: usize, y: usize| x < width && y < height && self.name_at(y * width + x) == name;
@@ -87,7 +87,7 @@ impl Reference {
     }
 
     /// The window has this scene and shows this picture, to the last byte.
-    pub(crate) fn assert_shown(&self, desk: &Desk) {
+    pub fn assert_shown(&self, desk: &Desk) {
         let scene = desk.harness.state().scene();
         let lines = [scene, &self.scene].map(|scene| write_scene(scene).lines().map(str::to_owned).collect::<Vec<_>>());
         let unlike: Vec<_> = lines[0].iter().zip(&lines[1]).filter(|(a, b)| a != b).collect();
@@ -99,7 +99,7 @@ impl Reference {
 }
 
 /// A built-in scene as the library reads it.
-pub(crate) fn scene(id: &'static str) -> Scene {
+pub fn scene(id: &'static str) -> Scene {
     let source = SceneSource::BuiltIn(id);
     load_scene(&source, &mut MeshLibrary::new(), &mut Budget::default(), &mut Report::default()).unwrap()
 }

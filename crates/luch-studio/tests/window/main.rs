@@ -1,0 +1,11 @@
+//! The window as a whole: what is typed wrong, what is taken back, what waits, and in which language it speaks.
+
+#[path = "../support/mod.rs"]
+mod support;
+
+mod input;
+mod language;
+mod live;
+mod picker;
+mod picking;
+mod undo;

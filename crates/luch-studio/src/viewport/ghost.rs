@@ -87,11 +87,11 @@ fn lines(extent: &Extent, frame: &PictureFrame) -> Vec<[DVec3; 2]> {
 /// The part of a line that lies before the eye, in the window.
 fn seen(frame: &PictureFrame, a: DVec3, b: DVec3) -> Option<[Pos2; 2]> {
     let (near, far) = (frame.depth_of(a), frame.depth_of(b));
-    let least = near.max(far) * 1e-3;
-    // Written so that NaN, which fails every comparison, is not seen.
-    if !(near.max(far) > 0.0) {
+    let farther = near.max(far);
+    if farther.is_nan() || farther <= 0.0 {
         return None;
     }
+    let least = farther * 1e-3;
     let cut = |from: DVec3, depth: f64, to: DVec3, other: f64| {
         if depth < least { from + (to - from) * ((least - depth) / (other - depth)) } else { from }
     };

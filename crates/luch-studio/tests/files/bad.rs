@@ -33,7 +33,7 @@ fn a_model_that_cannot_be_read_is_not_added() {
     let folder = Folder::new();
     let mut desk = studio();
     let objects = desk.harness.state().scene().objects.len();
-    desk.menu("Add", "Model…");
+    desk.open_menu("Add", "Model…");
     desk.enter_path(&folder.write("empty.obj", ""));
     assert!(desk.says("the file is empty"));
     assert_eq!(desk.harness.state().scene().objects.len(), objects);
@@ -49,7 +49,7 @@ fn a_folder_that_vanishes_while_one_works_is_told_when_saving() {
     fs::remove_dir_all(folder.path("deep")).unwrap();
     desk.key(Modifiers::COMMAND, Key::S);
     assert!(desk.says("The scene was not saved") && desk.says("there is no folder"));
-    desk.menu("File", "Save as…");
+    desk.open_menu("File", "Save as…");
     desk.enter_path(&folder.path("ball.toml"));
     assert!(fs::read_to_string(folder.path("ball.toml")).unwrap().contains("fov = 33.0"));
 }
@@ -62,13 +62,13 @@ fn a_full_disk_is_told_and_what_was_there_stays() {
     std::os::unix::fs::symlink("/dev/full", folder.path("full.toml")).unwrap();
     let mut desk = studio();
     desk.alter();
-    desk.menu("File", "Save as…");
+    desk.open_menu("File", "Save as…");
     desk.enter_path(&folder.path("full.toml"));
-    desk.press("Replace");
+    desk.press_top("Replace");
     assert!(desk.says("the disk is full"), "told below the field");
     assert!(desk.path_field().ends_with("full.toml"));
-    desk.press("Cancel");
-    desk.menu("File", "New scene");
+    desk.press_top("Cancel");
+    desk.open_menu("File", "New scene");
     assert!(desk.says("Save them?"), "it is not saved");
 }
 
@@ -95,10 +95,10 @@ fn names_that_are_no_utf_8_are_opened_from_the_list() {
     fs::create_dir(&odd).unwrap();
     fs::write(odd.join(std::ffi::OsStr::from_bytes(b"\xe9.toml")), BALL).unwrap();
     let mut desk = studio_with(&folder.write("ball.toml", BALL.replace("Ball", "Other")));
-    desk.menu("File", "Open…");
-    desk.press("caf?/");
-    desk.press("?.toml");
-    desk.press("Open");
+    desk.open_menu("File", "Open…");
+    desk.press_top("caf?/");
+    desk.press_top("?.toml");
+    desk.press_top("Open");
     assert_eq!(desk.harness.state().scene().name, "Ball");
     desk.alter();
     desk.key(Modifiers::COMMAND, Key::S);

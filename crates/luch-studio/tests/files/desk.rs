@@ -1,7 +1,7 @@
 //! What the tests of files have in common: a folder of their own, and hands for menus and dialogs.
 
 use crate::support::{Desk, LANGUAGES};
-use egui::{Key, Modifiers, accesskit::Role};
+use egui::accesskit::Role;
 use egui_kittest::kittest::{NodeT, Queryable};
 use luch_studio::Start;
 use std::fs;
@@ -67,7 +67,7 @@ pub(crate) fn studio_with(path: &Path) -> Desk {
 
 impl Desk {
     /// Opens a menu and clicks an entry.
-    pub(crate) fn menu(&mut self, menu: &str, entry: &str) {
+    pub(crate) fn open_menu(&mut self, menu: &str, entry: &str) {
         self.harness.get_by_role_and_label(Role::Button, menu).click();
         self.steps(2);
         // Behind the name stands the key.
@@ -81,14 +81,9 @@ impl Desk {
     }
 
     /// Clicks a button; of several, the one on top.
-    pub(crate) fn press(&mut self, name: &str) {
+    pub(crate) fn press_top(&mut self, name: &str) {
         let found = self.harness.query_all_by_role_and_label(Role::Button, name).last();
         found.unwrap_or_else(|| panic!("there is no button {name}")).click();
-        self.settle();
-    }
-
-    pub(crate) fn key(&mut self, modifiers: Modifiers, key: Key) {
-        self.harness.key_press_modifiers(modifiers, key);
         self.settle();
     }
 
@@ -96,11 +91,6 @@ impl Desk {
         for _ in 0..count {
             self.harness.step();
         }
-    }
-
-    /// Whether the window says so somewhere.
-    pub(crate) fn says(&self, text: &str) -> bool {
-        self.harness.query_all_by_label_contains(text).next().is_some()
     }
 
     /// Whether there is such a button.

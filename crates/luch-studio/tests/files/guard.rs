@@ -11,19 +11,19 @@ fn changes_are_asked_about_before_another_scene_takes_their_place() {
     let mut desk = studio();
     desk.alter();
     for ask in [
-        |desk: &mut Desk| desk.menu("File", "New scene"),
+        |desk: &mut Desk| desk.open_menu("File", "New scene"),
         |desk: &mut Desk| desk.key(Modifiers::COMMAND, Key::O),
         |desk: &mut Desk| desk.choose("Scene", "Chess"),
         |desk: &mut Desk| desk.key(Modifiers::COMMAND, Key::Q),
     ] {
         ask(&mut desk);
         assert!(desk.says("Save them?"));
-        desk.press("Cancel");
+        desk.press_top("Cancel");
         assert_eq!(desk.harness.state().scene().name, "Two spheres");
         assert!(!desk.is_closing());
     }
-    desk.menu("File", "New scene");
-    desk.press("Do not save");
+    desk.open_menu("File", "New scene");
+    desk.press_top("Do not save");
     assert_eq!(desk.harness.state().scene().name, "New scene");
     desk.choose("Scene", "Chess");
     assert_eq!(desk.harness.state().scene().name, "Chess", "nothing changed, nothing asked");
@@ -35,14 +35,14 @@ fn save_saves_first() {
     let file = folder.write("ball.toml", BALL);
     let mut desk = studio_with(&file);
     desk.alter();
-    desk.menu("File", "New scene");
-    desk.press("Save");
+    desk.open_menu("File", "New scene");
+    desk.press_top("Save");
     assert_eq!(desk.harness.state().scene().name, "New scene");
     assert!(fs::read_to_string(&file).unwrap().contains("fov = 33.0"));
     // A scene without a file asks for one, and goes on when it is written.
     desk.alter();
     desk.choose("Scene", "Chess");
-    desk.press("Save");
+    desk.press_top("Save");
     assert_eq!(desk.harness.state().scene().name, "New scene");
     desk.enter_path(&folder.path("new.toml"));
     assert_eq!(desk.harness.state().scene().name, "Chess");
@@ -54,8 +54,8 @@ fn a_save_that_fails_loses_nothing() {
     let folder = Folder::new();
     let mut desk = studio();
     desk.alter();
-    desk.menu("File", "New scene");
-    desk.press("Save");
+    desk.open_menu("File", "New scene");
+    desk.press_top("Save");
     desk.enter_path(&folder.path("nowhere/s.toml"));
     assert!(desk.says("there is no folder"), "told below the field");
     assert_eq!(desk.harness.state().scene().name, "Two spheres");

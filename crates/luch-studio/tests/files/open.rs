@@ -21,7 +21,7 @@ fn a_typed_path_is_opened() {
 fn a_bare_model_is_a_scene() {
     let folder = Folder::new();
     let mut desk = studio();
-    desk.menu("File", "Open…");
+    desk.open_menu("File", "Open…");
     desk.enter_path(&folder.write("tent.OBJ", TENT));
     assert_eq!(desk.harness.state().scene().name, "tent");
 }
@@ -33,15 +33,15 @@ fn the_list_has_folders_and_files_that_can_be_opened() {
     folder.write("deep/knot/tent.obj", TENT);
     folder.write("deep/notes.txt", "");
     let mut desk = studio_with(&folder.path("ball.toml"));
-    desk.menu("File", "Open…");
+    desk.open_menu("File", "Open…");
     assert!(desk.offers("ball.toml") && desk.offers("deep/"));
-    desk.press("deep/");
+    desk.press_top("deep/");
     assert!(desk.offers("knot/") && !desk.offers("notes.txt"));
     assert_eq!(desk.path_field(), format!("{}/", folder.path("deep").display()));
-    desk.press("Folder above");
+    desk.press_top("Folder above");
     assert!(desk.offers("ball.toml"));
     // A click on a file puts it into the field.
-    desk.press("ball.toml");
+    desk.press_top("ball.toml");
     assert_eq!(desk.path_field(), folder.path("ball.toml").display().to_string());
 }
 
@@ -75,11 +75,11 @@ fn the_keyboard_alone_finds_a_file() {
 fn where_the_system_has_no_dialog_the_field_remains() {
     let start = Start { choose_file: Some(|_| None), ..Start::default() };
     let mut desk = Desk::start(LANGUAGES[0], start);
-    desk.menu("File", "Open…");
-    desk.press("Browse…");
+    desk.open_menu("File", "Open…");
+    desk.press_top("Browse…");
     assert!(desk.says("Type the path"));
-    desk.press("Cancel");
-    desk.menu("File", "Open…");
+    desk.press_top("Cancel");
+    desk.open_menu("File", "Open…");
     assert!(!desk.says("Type the path"), "it is told once");
 }
 
@@ -95,8 +95,8 @@ fn a_file_of_the_system_s_dialog_is_opened_at_once() {
         ..Start::default()
     };
     let mut desk = Desk::start(LANGUAGES[0], start);
-    desk.menu("File", "Open…");
-    desk.press("Browse…");
+    desk.open_menu("File", "Open…");
+    desk.press_top("Browse…");
     assert_eq!(desk.harness.state().scene().name, "Ball");
     let _ = std::fs::remove_file(std::env::temp_dir().join(format!("luch-chosen-{}.toml", std::process::id())));
 }

@@ -23,7 +23,7 @@ fn a_built_in_scene_asks_for_a_file_and_keeps_it() {
     let folder = Folder::new();
     let mut desk = studio();
     desk.type_into("Field of view", "33");
-    desk.menu("File", "Save");
+    desk.open_menu("File", "Save");
     assert!(desk.path_field().ends_with("Two spheres.toml"), "{}", desk.path_field());
     // The ending is added.
     desk.enter_path(&folder.path("mine"));
@@ -43,18 +43,18 @@ fn another_file_is_replaced_only_when_somebody_says_so() {
     desk.key(CTRL_SHIFT, Key::S);
     desk.enter_path(&other);
     assert!(desk.says("exists already"));
-    desk.press("Another name…");
+    desk.press_top("Another name…");
     // What was typed is still there.
     assert_eq!(desk.path_field(), other.display().to_string());
-    desk.press("Cancel");
+    desk.press_top("Cancel");
     assert_eq!(fs::read_to_string(&other).unwrap(), "precious");
-    desk.menu("File", "Save as…");
+    desk.open_menu("File", "Save as…");
     desk.enter_path(&other);
-    desk.press("Replace");
+    desk.press_top("Replace");
     assert!(desk.says("The scene is saved"));
     assert!(fs::read_to_string(&other).unwrap().starts_with("# A scene of Luch"));
     // Its own file is saved without a question.
-    desk.menu("File", "Save as…");
+    desk.open_menu("File", "Save as…");
     desk.enter_path(&other);
     assert!(!desk.says("exists already"));
 }
@@ -64,10 +64,10 @@ fn models_come_along() {
     let (from, to) = (Folder::new(), Folder::new());
     let model = from.write("tent.obj", TENT);
     let mut desk = studio();
-    desk.menu("Add", "Model…");
+    desk.open_menu("Add", "Model…");
     desk.enter_path(&model);
     assert_eq!(desk.harness.state().selected(), Some("tent"));
-    desk.menu("File", "Save as…");
+    desk.open_menu("File", "Save as…");
     desk.enter_path(&to.path("s.toml"));
     assert_eq!(to.names(), ["models", "s.toml"]);
     fs::remove_file(&model).unwrap();
@@ -83,10 +83,10 @@ fn undo_after_saving_is_a_change_again() {
     desk.type_into("Field of view", "33");
     desk.key(Modifiers::COMMAND, Key::S);
     desk.key(Modifiers::COMMAND, Key::Z);
-    desk.menu("File", "New scene");
+    desk.open_menu("File", "New scene");
     assert!(desk.says("Save them?"));
-    desk.press("Cancel");
+    desk.press_top("Cancel");
     desk.key(CTRL_SHIFT, Key::Z);
-    desk.menu("File", "New scene");
+    desk.open_menu("File", "New scene");
     assert_eq!(desk.harness.state().scene().name, "New scene");
 }

@@ -62,9 +62,9 @@ impl Desk {
                 let role = node.accesskit_node().role();
                 matches!(role, Role::Button | Role::RadioButton | Role::MenuItem | Role::CheckBox)
             };
-            let mut entries = self.harness.get_all_by_label(name).filter(is_entry);
             // What a menu shows lies over everything else and comes last.
-            entries.next_back().unwrap_or_else(|| panic!("no entry {name}")).click();
+            let entry = self.harness.get_all_by_label(name).rfind(is_entry);
+            entry.unwrap_or_else(|| panic!("no entry {name}")).click();
             for _ in 0..4 {
                 self.harness.step();
             }

@@ -28,7 +28,8 @@ struct Stored {
     theme: Option<ThemePreference>,
     live: Option<bool>,
     threads: Option<usize>,
-    recent: Vec<PathBuf>,
+    /// As [`luch_io::encode_path`] writes them: JSON has no paths that are no text.
+    recent: Vec<String>,
     hints_read: bool,
 }
 
@@ -61,7 +62,7 @@ impl Preferences {
             theme: stored.theme.unwrap_or(first.theme),
             live: stored.live.unwrap_or(first.live),
             threads: stored.threads.filter(|n| (1..=Self::MAX_THREADS).contains(n)),
-            recent: stored.recent.into_iter().take(Self::RECENT).collect(),
+            recent: stored.recent.iter().filter_map(|path| luch_io::decode_path(path)).take(Self::RECENT).collect(),
             hints_read: stored.hints_read,
         }
     }
@@ -72,7 +73,7 @@ impl Preferences {
             theme: Some(self.theme),
             live: Some(self.live),
             threads: self.threads,
-            recent: self.recent.clone(),
+            recent: self.recent.iter().map(|path| luch_io::encode_path(path)).collect(),
             hints_read: self.hints_read,
         };
         if let Ok(text) = serde_json::to_string(&stored) {
@@ -87,18 +88,65 @@ impl Preferences {
 
     /// Puts a file at the head of the recent ones.
     pub(crate) fn remember(&mut self, path: &Path) {
-        self.recent.retain(|known| known != path);
-        self.recent.insert(0, path.to_owned());
+        // The next run may be started in another folder.
+        let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+        self.recent.retain(|known| *known != path);
+        self.recent.insert(0, path);
         self.recent.truncate(Self::RECENT);
     }
 
     /// Takes a file out of the recent ones: it is no longer there.
     pub(crate) fn forget(&mut self, path: &Path) {
-        self.recent.retain(|known| known != path);
+        let absolute = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+        self.recent.retain(|known| *known != absolute);
     }
 }
 
 /// Threads that the machine runs at once.
 pub(crate) fn cores() -> usize {
     std::thread::available_parallelism().map_or(1, std::num::NonZero::get)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::HashMap;
+
+    #[derive(Default)]
+    struct Memory(HashMap<String, String>);
+
+    impl eframe::Storage for Memory {
+        fn get_string(&self, key: &str) -> Option<String> {
+            self.0.get(key).cloned()
+        }
+
+        fn set_string(&mut self, key: &str, value: String) {
+            self.0.insert(key.to_owned(), value);
+        }
+
+        fn remove_string(&mut self, key: &str) {
+            self.0.remove(key);
+        }
+
+        fn flush(&mut self) {}
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn what_is_stored_is_read_back_whatever_the_files_are_called() {
+        use std::os::unix::ffi::OsStrExt;
+        let mut preferences = Preferences::first_run(Language::Ru);
+        let odd = Path::new(std::ffi::OsStr::from_bytes(b"/caf\xe9/100%.toml"));
+        for path in [odd, Path::new("/b.toml"), odd] {
+            preferences.remember(path);
+        }
+        assert_eq!(preferences.recent, [odd, Path::new("/b.toml")]);
+        let mut storage = Memory::default();
+        preferences.store(&mut storage);
+        assert_eq!(Preferences::load(Some(&storage)), preferences);
+        preferences.forget(odd);
+        assert_eq!(preferences.recent, [Path::new("/b.toml")]);
+        eframe::Storage::set_string(&mut storage, Preferences::KEY, "{nonsense".into());
+        assert!(Preferences::load(Some(&storage)).recent.is_empty());
+    }
 }

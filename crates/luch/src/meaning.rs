@@ -8,9 +8,6 @@ use luch_render::{Crop, Integrator, RenderJob, SimdLevel};
 use luch_scene::{ImageSize, Scene};
 use std::path::{Path, PathBuf};
 
-/// Bytes that a pixel takes while a picture is made: three sums and three means of 32 bits.
-const BYTES_PER_PIXEL: u64 = 24;
-
 /// A kind of picture file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Format {
@@ -102,12 +99,6 @@ impl Request {
         job.simd = self.simd;
         Ok(job)
     }
-}
-
-/// Bytes that the picture takes while it is made.
-pub(crate) fn picture_bytes(job: &RenderJob) -> u64 {
-    let pixels = job.pixels().map_or(0, |part| u64::from(part.width) * u64::from(part.height));
-    pixels.saturating_mul(BYTES_PER_PIXEL)
 }
 
 /// The threads asked for, or as many as the machine has.

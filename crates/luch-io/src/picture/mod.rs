@@ -4,11 +4,13 @@ mod exr;
 mod hash;
 mod metadata;
 mod png;
+mod settings;
 
 pub use exr::write_exr;
 pub use hash::linear_hash;
 pub use metadata::Metadata;
 pub use png::{Pixels, encode_png, write_png};
+pub use settings::PictureSettings;
 
 use crate::atomic_save::STDOUT;
 use crate::error::{Error, ErrorKind, Result};

@@ -97,6 +97,13 @@ impl RenderJob {
         self.antialiasing.rays_in_use().max(self.depth_of_field.rays_in_use())
     }
 
+    /// Bytes that the picture takes while it is made: three sums and three means of 32 bits for each pixel.
+    #[must_use]
+    pub fn memory_bytes(&self) -> u64 {
+        let pixels = self.pixels().map_or(0, |part| u64::from(part.width) * u64::from(part.height));
+        pixels.saturating_mul(24)
+    }
+
     /// The pixels to make; `None` if the crop lies outside the picture.
     #[must_use]
     pub fn pixels(&self) -> Option<Crop> {

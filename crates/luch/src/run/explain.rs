@@ -5,13 +5,13 @@ use crate::exit::{Code, Failure};
 use crate::meaning::{available, threads};
 use crate::output;
 use crate::progress::Stages;
-use crate::run::writable;
 use crate::shot::Shot;
 use crate::signals::Watch;
 use crate::source::{self, Loaded};
 use crate::values::{PixelPlace, Shown};
 use luch_explain::{Explanation, Options, Role, Samples, plain};
 use luch_io::atomic_save::{STDOUT, save};
+use luch_io::check_writable;
 use luch_render::explain::{ExplainError, explain_unless};
 use luch_render::{MeshTrees, RenderJob, compile};
 use luch_scene::ImageSize;
@@ -48,7 +48,7 @@ impl Form {
 pub(crate) fn run(args: ExplainArgs, watch: &Watch) -> Result<(), Failure> {
     let ExplainArgs { scene: name, pixel, output, form, frame, camera, edits, machine, quiet } = args;
     let output = output.filter(|path| path.as_os_str() != STDOUT);
-    output.as_deref().map_or(Ok(()), writable::check)?;
+    output.as_deref().map_or(Ok(()), check_writable)?;
     let (simd, threads) = (available(machine.simd)?, threads(machine.threads));
     let shot = Shot { frame, camera, edits };
     let stages = Stages::new(quiet);

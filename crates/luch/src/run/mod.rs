@@ -8,7 +8,6 @@ mod render;
 mod scenes;
 pub(crate) mod studio;
 mod study;
-mod writable;
 
 use crate::args::{BenchCommand, Command};
 use crate::exit::Failure;

@@ -2,14 +2,14 @@
 
 use crate::clock::Stopwatch;
 use crate::exit::{Code, Failure};
-use crate::meaning::{Format, Request, Stats, picture_bytes};
+use crate::meaning::{Format, Request, Stats};
 use crate::output;
 use crate::progress::{Meter, Stages};
-use crate::run::{color_bar, writable};
+use crate::run::color_bar;
 use crate::signals::Watch;
 use crate::source::{self, Loaded};
 use luch_io::atomic_save::save;
-use luch_io::{Metadata, Pixels, linear_hash, write_exr, write_png};
+use luch_io::{Metadata, PictureSettings, Pixels, check_writable, linear_hash, write_exr, write_png};
 use luch_render::film::tonemap::{srgb8, srgb16};
 use luch_render::{Film, MeshTrees, Progress, RenderError, RenderJob, compile, render};
 use luch_scene::Scene;
@@ -37,24 +37,8 @@ struct Figures {
     hash: String,
 }
 
-/// What a picture file says of how it was made.
-#[derive(Debug, Serialize)]
-struct Settings<'a> {
-    camera: &'a str,
-    size: [u32; 2],
-    #[serde(skip_serializing_if = "Option::is_none")]
-    crop: Option<[u32; 4]>,
-    rays_per_pixel: u32,
-    antialiasing: bool,
-    depth_of_field: bool,
-    depth: u32,
-    integrator: &'static str,
-    #[serde(skip_serializing_if = "std::ops::Not::not")]
-    color_bar: bool,
-}
-
 pub(crate) fn run(request: &Request, watch: &Watch) -> Result<(), Failure> {
-    request.outputs().try_for_each(writable::check)?;
+    request.outputs().try_for_each(check_writable)?;
     let stages = Stages::new(request.quiet);
 
     let loading = Stopwatch::start();
@@ -66,7 +50,7 @@ pub(crate) fn run(request: &Request, watch: &Watch) -> Result<(), Failure> {
 
     let camera = request.shot.apply(&mut scene)?;
     let job = request.job(&scene, camera)?;
-    budget.charge("the picture", picture_bytes(&job)).map_err(|over| over.in_file(&request.output))?;
+    budget.charge("the picture", job.memory_bytes()).map_err(|over| over.in_file(&request.output))?;
     if !request.quiet {
         warnings.iter().chain(&request.shot.advice(&job)).for_each(|line| output::warning(line));
     }
@@ -101,7 +85,7 @@ pub(crate) fn run(request: &Request, watch: &Watch) -> Result<(), Failure> {
         triangles: compiled.triangles(),
         hash: linear_hash(&linear),
     };
-    let metadata = metadata(&scene, &job, request.color_bar, &figures.hash)?;
+    let metadata = metadata(&scene, &job, request.color_bar, &figures.hash);
     let write = || write_all(request, &film, &linear, &metadata, &figures);
     watch.writing(request.outputs(), || stages.during("writing", None, write))?
 }
@@ -111,8 +95,8 @@ fn failed(error: &RenderError) -> Failure {
     Failure::new(code, error.to_string())
 }
 
-fn metadata(scene: &Scene, job: &RenderJob, color_bar: bool, hash: &str) -> Result<Metadata, Failure> {
-    let settings = Settings {
+fn metadata(scene: &Scene, job: &RenderJob, color_bar: bool, hash: &str) -> Metadata {
+    let settings = PictureSettings {
         camera: &job.camera.name,
         size: [job.size.width(), job.size.height()],
         crop: job.crop.map(|c| [c.x, c.y, c.width, c.height]),
@@ -123,8 +107,7 @@ fn metadata(scene: &Scene, job: &RenderJob, color_bar: bool, hash: &str) -> Resu
         integrator: job.integrator.word(),
         color_bar,
     };
-    let settings = serde_json::to_string(&settings).map_err(|e| Failure::new(Code::Internal, e.to_string()))?;
-    Ok(Metadata { title: scene.name.clone(), settings, hash: hash.to_owned() })
+    settings.metadata(&scene.name, hash)
 }
 
 /// Writes the picture and the figures: both, or neither.

@@ -4,7 +4,6 @@ use crate::args::{StudyArgs, StudyCommand};
 use crate::exit::{Code, Failure};
 use crate::meaning;
 use crate::progress::{Meter, Stages};
-use crate::run::writable;
 use crate::signals::Watch;
 use crate::{output, source};
 use luch_render::RenderError;
@@ -21,7 +20,7 @@ pub(crate) fn run(command: StudyCommand, watch: &Watch) -> Result<(), Failure> {
     let folder = Folder::make(&args.output)?;
     let paths: Vec<PathBuf> =
         files::names(study.plan().kind()).into_iter().map(|name| args.output.join(name)).collect();
-    paths.iter().try_for_each(|path| writable::check(path))?;
+    paths.iter().try_for_each(|path| luch_io::check_writable(path))?;
 
     let stages = Stages::new(args.quiet);
     let progress = Arc::new(StudyProgress::new());

@@ -1,6 +1,7 @@
 //! Whether a file will be writable, asked before the work that would be lost if it is not.
 
-use crate::exit::{Code, Failure};
+use crate::atomic_save::STDOUT;
+use crate::error::{Error, ErrorKind, Result};
 use std::fs::{self, OpenOptions};
 use std::io;
 use std::path::Path;
@@ -8,12 +9,12 @@ use std::path::Path;
 /// Tries what can be tried without touching the file itself.
 ///
 /// # Errors
-/// [`Code::Output`], with the path and what to do.
-pub(super) fn check(path: &Path) -> Result<(), Failure> {
-    if path.as_os_str() == luch_io::atomic_save::STDOUT {
+/// `Output`, with the path and what to do.
+pub fn check_writable(path: &Path) -> Result<()> {
+    if path.as_os_str() == STDOUT {
         return Ok(());
     }
-    let refused = |text: String| Failure::new(Code::Output, format!("{}: {text}", path.display()));
+    let refused = |text: String| Error::new(ErrorKind::Output, path, text);
     let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
     match fs::metadata(folder) {
         Ok(folder) if folder.is_dir() => {}

@@ -2,11 +2,11 @@
 //!
 //! `cargo bench -p luch-verify --bench live`. The chess scene at 1280x720 with the threads of the machine. Requests come
 //! every 16 ms, as from a hand that drags, while the picture before is being refined; times are from the call of `show`
-//! until the snapshot can be taken.
+//! until the snapshot can be taken. README.md beside this file says how to keep other programs off the cores meanwhile.
 
 #![allow(clippy::print_stdout, reason = "a bench prints its figures")]
 
-use luch_render::{LiveEnd, LivePhase, LiveRequest, LiveSession, RenderJob, Snapshot};
+use luch_render::{Epoch, LiveEnd, LivePhase, LiveRequest, LiveSession, RenderJob, Snapshot};
 use luch_scene::{Aim, Color, Point, Scene};
 use luch_verify::{built_in, job};
 use std::sync::Arc;
@@ -116,33 +116,38 @@ fn orbited(base: &Arc<Scene>, job: &RenderJob, step: usize) -> LiveRequest {
     LiveRequest { scene: Arc::clone(base), job }
 }
 
-/// A hand that drags: from each request to its first picture.
+/// A hand that drags: from each request to the first picture that shows it, or a later one where it was overtaken.
 fn drag(name: &str, base: &Arc<Scene>, job: &RenderJob, change: &Change) {
     let watched = Watched::start();
     watched.session.show(change(base, job, 0));
-    watched.wait(|s| s.shrink == 1);
-    let (mut times, mut shrinks, mut missed) = (Vec::new(), Vec::new(), 0);
+    watched.wait(|s| s.finished);
+    let (mut times, mut shrinks, mut overtaken) = (Vec::new(), Vec::new(), 0);
+    let mut awaited: Vec<(Epoch, Instant)> = Vec::new();
     let mut next = Instant::now();
-    for step in 0..EDITS {
-        let request = change(base, job, step + 1);
+    for step in 1..=EDITS {
+        let request = change(base, job, step);
         let asked = Instant::now();
-        let epoch = watched.session.show(request);
-        next = (next + FRAME).max(asked + FRAME);
-        match watched.wait_until(next, |s| s.epoch >= epoch) {
-            Some(snapshot) => {
-                times.push(asked.elapsed());
-                shrinks.push(snapshot.shrink);
-            }
-            // The next request comes all the same; this one is counted with the time that it would have waited.
-            None => missed += 1,
+        awaited.push((watched.session.show(request), asked));
+        next = (next + FRAME).max(asked);
+        // The last request waits for its picture however long it takes.
+        let end = if step < EDITS { next } else { next + Duration::from_secs(60) };
+        while let Some(&(first, _)) = awaited.first()
+            && let Some(snapshot) = watched.wait_until(end, |s| s.epoch >= first)
+        {
+            let now = Instant::now();
+            let seen = awaited.iter().take_while(|(epoch, _)| *epoch <= snapshot.epoch).count();
+            times.extend(awaited.drain(..seen).map(|(_, asked)| now - asked));
+            shrinks.push(snapshot.shrink);
+            overtaken += seen - 1;
         }
-        while watched.wait_until(next, |_| false).is_some() {}
+        std::thread::sleep(next.saturating_duration_since(Instant::now()));
     }
-    // A request without a picture of its own in time counts as the slowest.
-    times.extend(std::iter::repeat_n(Duration::MAX, missed));
     shrinks.sort_unstable();
-    let resolution = shrinks.get(shrinks.len() / 2).map_or_else(String::new, |k| format!("1/{k}"));
-    report(&format!("{name}: first picture"), times, &format!("{resolution}, {missed} overtaken"));
+    report(
+        &format!("{name}: first picture"),
+        times,
+        &format!("1/{}, {overtaken} overtaken", shrinks[shrinks.len() / 2]),
+    );
 }
 
 /// From a request to the full resolution, the hand at rest.
@@ -164,7 +169,12 @@ fn full(base: &Arc<Scene>, job: &RenderJob) {
 fn cancel(name: &str, base: &Arc<Scene>, job: &RenderJob) {
     let watched = Watched::start();
     let mut times = Vec::new();
-    for step in 0..60 {
+    // Trees of meshes are built once, and to the end.
+    watched.session.show(orbited(base, job, 0));
+    while watched.session.status().phase != LivePhase::Rendering {
+        std::thread::yield_now();
+    }
+    for step in 1..=60 {
         watched.session.show(orbited(base, job, step));
         // Somewhere in the picture, at another place each time.
         std::thread::sleep(Duration::from_micros(1500 * step as u64));
@@ -182,8 +192,6 @@ fn cancel(name: &str, base: &Arc<Scene>, job: &RenderJob) {
 fn report(name: &str, mut times: Vec<Duration>, shown: &str) {
     times.sort_unstable();
     let at = |share: f64| times[((times.len() - 1) as f64 * share).round() as usize];
-    let ms = |time: Duration| {
-        if time == Duration::MAX { "-".to_owned() } else { format!("{:.2}", time.as_secs_f64() * 1e3) }
-    };
-    println!("{name:34} {:>9} {:>9} {:>9}  {shown}", ms(at(0.5)), ms(at(0.95)), ms(at(1.0)));
+    let ms = |share: f64| at(share).as_secs_f64() * 1e3;
+    println!("{name:34} {:>9.2} {:>9.2} {:>9.2}  {shown}", ms(0.5), ms(0.95), ms(1.0));
 }

@@ -1,6 +1,7 @@
 //! Everything that a person can make the window do. Panels queue commands; `studio` applies them, nothing else does.
 
 use crate::dialogs::Dialog;
+use crate::explain::ExplainCommand;
 use crate::files::{FileQuestion, Purpose};
 use crate::l10n::{Language, Texts};
 use crate::placement::Addition;
@@ -10,6 +11,7 @@ use crate::undo::Gesture;
 use crate::view::Pose;
 use egui::{Key, KeyboardShortcut, Modifiers, ThemePreference};
 use luch_io::SceneSource;
+use luch_render::Integrator;
 use luch_scene::{Edit, Positive};
 use std::path::PathBuf;
 
@@ -27,15 +29,17 @@ pub(crate) enum Tool {
     Scale,
     /// A click sets the distance that is sharp.
     Focus,
+    /// A click asks why a pixel has its colour.
+    Explain,
 }
 
 impl Tool {
     /// All of them, in the order of the toolbar.
-    pub(crate) const ALL: [Self; 5] = [Self::Select, Self::Move, Self::Rotate, Self::Scale, Self::Focus];
+    pub(crate) const ALL: [Self; 6] = [Self::Select, Self::Move, Self::Rotate, Self::Scale, Self::Focus, Self::Explain];
 
     /// Whether a click selects.
     pub(crate) const fn selects(self) -> bool {
-        !matches!(self, Self::Focus)
+        !matches!(self, Self::Focus | Self::Explain)
     }
 }
 
@@ -135,6 +139,10 @@ pub(crate) enum Command {
     SetTool(Tool),
     /// Show the picture larger or smaller.
     SetZoom(Zoom),
+    /// Show light, or something else of what the rays meet.
+    SetIntegrator(Integrator),
+    /// Do something with the account of a pixel.
+    Explain(ExplainCommand),
     /// Ask or tell something.
     Show(Dialog),
     /// Close what asks or tells.
@@ -180,6 +188,7 @@ impl Command {
             Self::Cancel,
             Self::Frame,
             Self::SetPose(None),
+            Self::SetTool(Tool::Explain),
             Self::SetZoom(Zoom::Fit),
             Self::SetZoom(Zoom::Factor(1.0)),
             Self::SetTool(Tool::Select),
@@ -208,6 +217,7 @@ impl Command {
             Self::Cancel => KeyboardShortcut::new(Modifiers::SHIFT, Key::F5),
             Self::Frame => plain(Key::F),
             Self::SetPose(None) => plain(Key::Home),
+            Self::SetTool(Tool::Explain) => plain(Key::X),
             Self::SetZoom(Zoom::Fit) => ctrl(Key::Num0),
             Self::SetZoom(Zoom::Factor(_)) => ctrl(Key::Num1),
             Self::SetTool(Tool::Select) => plain(Key::Q),
@@ -248,6 +258,7 @@ impl Command {
             Self::SetTool(Tool::Rotate) => texts.tool_rotate(),
             Self::SetTool(Tool::Scale) => texts.tool_scale(),
             Self::SetTool(Tool::Focus) => texts.tool_focus(),
+            Self::SetTool(Tool::Explain) => texts.tool_explain(),
             Self::Study(_) => texts.menu_study(),
             Self::Show(dialog) => dialog.label(texts),
             // The rest are gestures and widgets with labels of their own; no menu has them.

@@ -8,6 +8,7 @@
 mod command;
 mod dialogs;
 mod document;
+mod explain;
 mod files;
 mod l10n;
 mod loader;

@@ -28,8 +28,8 @@ impl RenderLink {
     }
 
     /// Asks for a picture of the scene through this camera; it replaces the one under way.
-    pub(crate) fn ask(&mut self, scene: &Arc<Scene>, camera: Camera, threads: usize) {
-        let job = job(scene, camera, threads);
+    pub(crate) fn ask(&mut self, scene: &Arc<Scene>, camera: Camera, integrator: Integrator, threads: usize) {
+        let job = job(scene, camera, integrator, threads);
         self.asked = Some(self.session.show(LiveRequest { scene: Arc::clone(scene), job }));
     }
 
@@ -97,7 +97,7 @@ impl RenderLink {
 }
 
 /// The whole picture of a scene with its own settings.
-pub(crate) fn job(scene: &Scene, camera: Camera, threads: usize) -> RenderJob {
+pub(crate) fn job(scene: &Scene, camera: Camera, integrator: Integrator, threads: usize) -> RenderJob {
     let settings = &scene.settings;
     RenderJob {
         camera,
@@ -106,7 +106,7 @@ pub(crate) fn job(scene: &Scene, camera: Camera, threads: usize) -> RenderJob {
         depth: settings.depth,
         antialiasing: settings.antialiasing,
         depth_of_field: settings.depth_of_field,
-        integrator: Integrator::Classic,
+        integrator,
         threads,
         simd: SimdLevel::Auto,
         tile_size: RenderJob::TILE_SIZE,

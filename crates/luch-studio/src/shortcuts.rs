@@ -1,6 +1,7 @@
 //! Keys: each command's own, taken when no text is typed and no dialog is open.
 
 use crate::command::Command;
+use crate::explain::{self, ExplainCommand};
 use crate::state::Desk;
 use crate::viewport;
 use egui::{Context, Id, Key, KeyboardShortcut, Modifiers, Popup};
@@ -21,8 +22,14 @@ pub(crate) fn take(ctx: &Context, desk: &mut Desk<'_>) {
         if command == Command::Select(None) && viewport::is_dragging(ctx) {
             continue;
         }
+        // A tree goes to its first row by the key that returns the view.
+        if command == Command::SetPose(None) && explain::tree_has_focus(ctx) {
+            continue;
+        }
         if ctx.input_mut(|i| i.consume_shortcut(&shortcut)) {
-            desk.send(command);
+            // Escape closes what is open before it lets go of what is selected.
+            let closes = command == Command::Select(None) && desk.state.explain.is_open();
+            desk.send(if closes { Command::Explain(ExplainCommand::Close) } else { command });
         }
     }
     if !typing && !in_menu {

@@ -3,6 +3,7 @@
 use crate::command::{Command, Tool, Zoom};
 use crate::dialogs::Dialog;
 use crate::document::Document;
+use crate::explain::Explain;
 use crate::files::Files;
 use crate::l10n::Texts;
 use crate::notices::Notices;
@@ -12,6 +13,7 @@ use crate::selection::Part;
 use crate::study::StudyDesk;
 use crate::view::View;
 use luch_io::SceneSource;
+use luch_render::Integrator;
 use luch_scene::{Camera, Scene};
 
 /// The state of the window.
@@ -22,6 +24,10 @@ pub(crate) struct State {
     pub(crate) selection: Option<Part>,
     pub(crate) tool: Tool,
     pub(crate) zoom: Zoom,
+    /// What the picture shows of what the rays meet.
+    pub(crate) integrator: Integrator,
+    /// The pixel that is explained, and what is looked at of its account.
+    pub(crate) explain: Explain,
     pub(crate) preferences: Preferences,
     pub(crate) notices: Notices,
     pub(crate) study: StudyDesk,

@@ -1,12 +1,16 @@
 //! The studio: takes in what happened, shows the panels, applies the commands that they queued.
 
 mod adding;
+mod explaining;
 mod files;
 mod looking;
+
+pub(crate) use explaining::PATIENCE;
 
 use crate::command::Command;
 use crate::dialogs::{self, Dialog};
 use crate::document::Document;
+use crate::explain::{Copier, Explain, Explainer};
 use crate::files::{ChooseFile, Files, Purpose};
 use crate::l10n::{self, Texts};
 use crate::loader::Loader;
@@ -49,6 +53,8 @@ pub struct Studio {
     texts: Texts,
     render: RenderLink,
     loader: Loader,
+    explainer: Explainer,
+    copier: Copier,
     files: Files,
     commands: Vec<Command>,
     /// Whether what is seen differs from what was asked for last.
@@ -78,6 +84,8 @@ impl Studio {
             selection: None,
             tool: crate::command::Tool::default(),
             zoom: crate::command::Zoom::default(),
+            integrator: luch_render::Integrator::default(),
+            explain: Explain::default(),
             notices: Notices::default(),
             dialog: None,
             complaint: None,
@@ -90,8 +98,19 @@ impl Studio {
         let render = RenderLink::start(&creation.egui_ctx)?;
         let loader = Loader::new();
         let files = Files::new(loader.library(), start.choose_file);
-        let (commands, title) = (Vec::new(), String::new());
-        let mut studio = Self { state, texts, render, loader, files, commands, stale: true, leaving: false, title };
+        let mut studio = Self {
+            state,
+            texts,
+            render,
+            loader,
+            files,
+            explainer: Explainer::default(),
+            copier: Copier::default(),
+            commands: Vec::new(),
+            stale: true,
+            leaving: false,
+            title: String::new(),
+        };
         if let Some(source) = start.scene.filter(|source| *source != SceneSource::BuiltIn(FIRST)) {
             studio.load(&creation.egui_ctx, source);
         }
@@ -102,7 +121,11 @@ impl Studio {
     #[must_use]
     pub fn is_settled(&self) -> bool {
         let idle = self.loader.source().is_none() && self.files.is_idle() && !self.state.study.is_busy();
-        idle && self.commands.is_empty() && !self.stale && self.render.is_settled()
+        idle && !self.explainer.is_busy()
+            && !self.copier.is_busy()
+            && self.commands.is_empty()
+            && !self.stale
+            && self.render.is_settled()
     }
 
     /// The picture that is shown: width, height, red, green, blue and alpha of each pixel, rows from the top.
@@ -129,6 +152,12 @@ impl Studio {
         self.state.selection.and_then(|part| part.name(self.state.scene()))
     }
 
+    /// How many rays the account of the pixel has that is explained.
+    #[must_use]
+    pub fn explained_rays(&self) -> usize {
+        self.state.explain.answer.as_ref().map_or(0, |answer| answer.account.rays.len())
+    }
+
     /// Takes in what the loader and the renderer have done since the last frame.
     fn take_in(&mut self, ctx: &Context) {
         self.take_files(ctx);
@@ -136,6 +165,7 @@ impl Studio {
         if let Some(message) = self.render.failure() {
             self.state.notices.error(self.texts.notice_render_failed(), message);
         }
+        self.follow_explained(ctx);
         match self.state.study.poll() {
             None => {}
             Some(Outcome::Saved(folder)) => {
@@ -179,7 +209,8 @@ impl Studio {
         self.stale = false;
         self.state.pending = false;
         if let Some(camera) = self.state.camera() {
-            self.render.ask(self.state.document.scene(), camera, self.state.preferences.threads_in_use());
+            let threads = self.state.preferences.threads_in_use();
+            self.render.ask(self.state.document.scene(), camera, self.state.integrator, threads);
         }
     }
 
@@ -257,6 +288,11 @@ impl Studio {
             }
             Command::SetTool(tool) => self.state.tool = tool,
             Command::SetZoom(zoom) => self.state.zoom = zoom,
+            Command::SetIntegrator(integrator) => {
+                self.state.integrator = integrator;
+                self.changed();
+            }
+            Command::Explain(command) => self.apply_explain(command, ctx),
             Command::Show(dialog) => {
                 self.state.dialog = Some(dialog);
                 self.state.complaint = None;

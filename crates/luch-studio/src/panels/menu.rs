@@ -7,6 +7,7 @@ use crate::placement::Addition;
 use crate::state::Desk;
 use crate::study::StudyCommand;
 use egui::{Button, MenuBar, ThemePreference, Ui};
+use luch_render::Integrator;
 
 pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
     let texts = desk.texts;
@@ -47,6 +48,8 @@ pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
             item(ui, desk, Command::SetPose(None), desk.state.view.pose.is_some());
             item(ui, desk, Command::StorePose, desk.state.view.pose.is_some());
             ui.separator();
+            view_menu(ui, desk);
+            ui.separator();
             item(ui, desk, Command::Study(StudyCommand::Open(true)), true);
             ui.separator();
             theme_menu(ui, desk);
@@ -68,6 +71,18 @@ pub(crate) fn item(ui: &mut Ui, desk: &mut Desk<'_>, command: Command, enabled: 
     if ui.add_enabled(enabled, button).clicked() {
         desk.send(command);
     }
+}
+
+/// What the picture shows: light, or what the rays meet and what it costs.
+fn view_menu(ui: &mut Ui, desk: &mut Desk<'_>) {
+    ui.menu_button(desk.texts.menu_shows(), |ui| {
+        for integrator in Integrator::ALL {
+            let [name, tip] = crate::viewport::view_name(desk.texts, integrator);
+            if ui.radio(desk.state.integrator == integrator, name).on_hover_text(tip).clicked() {
+                desk.send(Command::SetIntegrator(integrator));
+            }
+        }
+    });
 }
 
 fn theme_menu(ui: &mut Ui, desk: &mut Desk<'_>) {

@@ -41,6 +41,7 @@ pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
     // egui gives the handle between picture and panel an English name only.
     let handle = ui.scope_id().with("controls").with("__resize");
     ui.ctx().accesskit_node_builder(handle, |node| node.set_label(desk.texts.panel_resize()));
+    crate::explain::show_panel(ui, desk);
     hints::show(ui.ctx(), desk);
     notices::show(ui.ctx(), desk);
 }

@@ -2,13 +2,13 @@
 
 use crate::view::slope_of;
 use egui::{Pos2, Rect, Vec2, vec2};
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 use luch_scene::{Camera, ImageSize};
 
 /// Where the picture lies in the window, and through which camera it was made.
 #[derive(Debug, Clone)]
-pub(super) struct PictureFrame {
-    pub(super) rect: Rect,
+pub(crate) struct PictureFrame {
+    pub(crate) rect: Rect,
     size: ImageSize,
     pub(super) eye: DVec3,
     /// Right, up and forward.
@@ -35,7 +35,7 @@ impl PictureFrame {
     }
 
     /// The point of the window at a place in the picture, in pixels from its upper left corner.
-    pub(super) fn point_of_pixel(&self, x: f32, y: f32) -> Pos2 {
+    pub(crate) fn point_of_pixel(&self, x: f32, y: f32) -> Pos2 {
         let size = self.rect.size() / vec2(self.size.width() as f32, self.size.height() as f32);
         self.rect.min + vec2(x, y) * size
     }
@@ -79,6 +79,47 @@ impl PictureFrame {
         let at = self.rect.center() + vec2((right * points) as f32, (-up * points) as f32);
         at.is_finite().then_some(at)
     }
+
+    /// The part of a straight line that is seen in the picture; `None` if nothing of it is. Cut before it is projected:
+    /// what is behind the camera would come out in front of it, and what is just before the eye at any distance.
+    pub(crate) fn project_segment(&self, ends: [Vec3; 2]) -> Option<SeenSegment> {
+        let of_camera = |place: Vec3| DVec3::from(self.axes.map(|axis| axis.dot(place.as_dvec3() - self.eye)));
+        let [from, to] = ends.map(of_camera);
+        let (high, wide) = (self.reach, self.reach * f64::from(self.rect.width() / self.rect.height()));
+        let near = 1e-6 * from.length().max(to.length());
+        // How far inside each of the five planes around what is seen: near, right, left, above, below.
+        let inside = |p: DVec3| [p.z - near, wide * p.z - p.x, wide * p.z + p.x, high * p.z - p.y, high * p.z + p.y];
+        let (mut enters, mut leaves) = (0.0_f64, 1.0_f64);
+        for (a, b) in inside(from).into_iter().zip(inside(to)) {
+            match (a < 0.0, b < 0.0) {
+                (true, true) => return None,
+                (true, false) => enters = enters.max(a / (a - b)),
+                (false, true) => leaves = leaves.min(a / (a - b)),
+                (false, false) => {}
+            }
+        }
+        if enters > leaves {
+            return None;
+        }
+        let at = |t: f64| {
+            let p = from + (to - from) * t;
+            let points = 1.0 / self.length_of_point(p.z.max(near * 0.5));
+            self.rect.center() + vec2((p.x * points) as f32, (-p.y * points) as f32)
+        };
+        let points = [at(enters), at(leaves)];
+        // NaN passes the planes, and ends here.
+        let finite = points.iter().all(|point| point.is_finite());
+        finite.then_some(SeenSegment { points, cut: [enters > 0.0, leaves < 1.0] })
+    }
+}
+
+/// The part of a line that is seen.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct SeenSegment {
+    /// Its ends in the window.
+    pub(crate) points: [Pos2; 2],
+    /// Whether the line goes on beyond each end, unseen.
+    pub(crate) cut: [bool; 2],
 }
 
 #[cfg(test)]
@@ -126,5 +167,27 @@ mod tests {
         assert!((above - Pos2::new(300.0, 50.0)).length() < 1e-3, "{above:?}");
         assert!(frame.project(DVec3::X).unwrap().x > 300.0);
         assert_eq!(frame.project(DVec3::new(0.0, 0.0, 6.0)), None);
+    }
+
+    #[test]
+    fn lines_are_cut_at_the_edge_of_what_is_seen() {
+        let frame = frame();
+        let seen = |from: Vec3, to: Vec3| frame.project_segment([from, to]);
+        let whole = seen(Vec3::ZERO, Vec3::new(0.5, 0.0, 0.0)).unwrap();
+        assert_eq!((whole.points[0], whole.cut), (Pos2::new(300.0, 200.0), [false, false]));
+        // From before the camera to behind it: out at the right edge, not back in from the left.
+        let behind = seen(Vec3::ZERO, Vec3::new(1.0, 0.0, 20.0)).unwrap();
+        assert_eq!(behind.cut, [false, true]);
+        assert!((behind.points[1] - Pos2::new(500.0, 200.0)).length() < 1e-2, "{behind:?}");
+        // Across the picture from left to right.
+        let across = seen(Vec3::new(-100.0, 0.0, 0.0), Vec3::new(100.0, 0.0, 0.0)).unwrap();
+        assert_eq!(across.cut, [true, true]);
+        assert!((across.points[0].x - 100.0).abs() < 1e-2 && (across.points[1].x - 500.0).abs() < 1e-2);
+        // From the eye itself: a point.
+        let ray = seen(Vec3::new(0.0, 0.0, 5.0), Vec3::new(0.5, 0.0, 0.0)).unwrap();
+        assert!(ray.points[0].distance(ray.points[1]) < 1e-2, "{ray:?}");
+        assert_eq!(seen(Vec3::new(0.0, 0.0, 6.0), Vec3::new(1.0, 1.0, 9.0)), None);
+        assert_eq!(seen(Vec3::new(-100.0, 90.0, 0.0), Vec3::new(100.0, 90.0, 0.0)), None);
+        assert_eq!(seen(Vec3::NAN, Vec3::ZERO), None);
     }
 }

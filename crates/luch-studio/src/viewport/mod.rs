@@ -1,11 +1,13 @@
 //! The picture: shown, enlarged, pointed at.
 
 mod canvas;
+mod explaining;
 pub(crate) mod focus;
 mod frame;
 mod ghost;
 mod gizmo;
 mod label;
+mod legend;
 mod lights;
 mod lookup;
 mod navigation;
@@ -14,22 +16,27 @@ mod toolbar;
 mod wheel;
 
 use crate::command::Command;
+use crate::explain;
 use crate::selection::Part;
 use crate::state::Desk;
 use canvas::Canvas;
 use egui::{CentralPanel, Color32, Context, Frame, Id, Painter, Rect, Response, Sense, Stroke, StrokeKind, Ui, pos2};
-use frame::PictureFrame;
+pub(crate) use frame::PictureFrame;
 use gizmo::Gizmo;
 use luch_render::session::live::{Snapshot, pick};
 use navigation::Navigation;
 use std::sync::Arc;
+
+pub(crate) use legend::name as view_name;
 
 /// Shows the picture in what the panels have left of the window.
 pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
     CentralPanel::default().frame(Frame::central_panel(ui.style()).inner_margin(0)).show(ui, |ui| {
         toolbar::show(ui, desk);
         let area = ui.available_rect_before_wrap();
-        let response = ui.allocate_rect(area, Sense::click_and_drag());
+        // A name of its own, so that it keeps the focus when a panel opens beside it.
+        let response = ui.interact(area, Id::unique("the picture"), Sense::click_and_drag());
+        ui.advance_cursor_after_rect(area);
         name_for_readers(&response, desk);
         let painter = ui.painter_at(area);
         painter.rect_filled(area, 0.0, surround(ui));
@@ -60,6 +67,7 @@ fn work_in(
     snapshot: &Snapshot,
     desk: &mut Desk<'_>,
 ) {
+    explaining::take_input(ui, response, frame, desk);
     let mut gizmo = Gizmo::load(ui.ctx());
     let mut navigation = Navigation::load(ui.ctx());
     if !navigation.is_dragging() {
@@ -107,6 +115,8 @@ fn draw_marks(painter: &Painter, frame: &PictureFrame, snapshot: &Snapshot, desk
         outline::draw(painter, frame, snapshot, desk, part, outline::Strength::Crisp);
     }
     lights::draw(painter, frame, desk, under);
+    legend::draw(painter, frame.rect, snapshot.job.integrator, desk.texts);
+    explain::draw_over_picture(painter, frame, &desk.state.explain, desk.texts);
 }
 
 /// The lamp or object that is drawn at a point of the window.

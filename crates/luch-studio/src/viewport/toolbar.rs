@@ -16,6 +16,7 @@ pub(super) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
                     Tool::Rotate => texts.tool_rotate_tip(),
                     Tool::Scale => texts.tool_scale_tip(),
                     Tool::Focus => texts.tool_focus_tip(),
+                    Tool::Explain => texts.tool_explain_tip(),
                 };
                 let key = command.shortcut().map(|key| ui.ctx().format_shortcut(&key)).unwrap_or_default();
                 let button = ui.selectable_label(desk.state.tool == tool, command.label(texts));

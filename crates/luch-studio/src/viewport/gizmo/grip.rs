@@ -78,7 +78,7 @@ impl Grip {
         let change = match handles.tool {
             Tool::Rotate => Change::Turn(0, 0.0),
             Tool::Scale => Change::Scale(DVec3::ONE),
-            Tool::Move | Tool::Select | Tool::Focus => Change::Move(DVec3::ZERO),
+            Tool::Move | Tool::Select | Tool::Focus | Tool::Explain => Change::Move(DVec3::ZERO),
         };
         Some(Self { handle, subject, handles: handles.clone(), from, measure, change })
     }

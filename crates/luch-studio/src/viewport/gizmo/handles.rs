@@ -81,7 +81,7 @@ impl Handles {
                 let whole = self.abilities.whole.then_some(Handle::Whole);
                 axes().filter(seen).map(Handle::Axis).chain(whole).collect()
             }
-            Tool::Select | Tool::Focus => Vec::new(),
+            Tool::Select | Tool::Focus | Tool::Explain => Vec::new(),
         }
     }
 

@@ -1,0 +1,26 @@
+## What the picture shows
+menu-shows = Picture shows
+view-classic = Light
+view-classic-tip = Shadows, mirrors and the lighting model of the scene
+view-normal = Normals
+view-normal-tip = The direction that each surface faces: x as red, y as green, z as blue
+view-depth = Distance
+view-depth-tip = How far away a surface is: white at the eye, half grey at the size of the scene, black far away
+view-objects = Objects
+view-objects-tip = One color for each object
+view-cost = Cost
+view-cost-tip = The work for the first hit: boxes red, shapes green, 64 of either in full
+view-nodes = Heat map: boxes
+view-nodes-tip = How many boxes a ray goes into to find its first hit
+view-triangles = Heat map: triangles
+view-triangles-tip = How many triangles and other shapes a ray is tested against to find its first hit
+legend-nodes = Boxes entered
+legend-triangles = Shapes tested
+legend-cost = Work for the first hit
+legend-boxes = boxes
+legend-shapes = shapes
+legend-depth = Distance
+legend-near = eye
+legend-half = size of the scene
+legend-far = far
+legend-normal = Faces along

@@ -1,0 +1,26 @@
+## What the picture shows
+menu-shows = На изображении
+view-classic = Свет
+view-classic-tip = Тени, зеркала и модель освещения сцены
+view-normal = Нормали
+view-normal-tip = Куда обращена поверхность: x красным, y зелёным, z синим
+view-depth = Расстояние
+view-depth-tip = Как далеко поверхность: у глаза белое, на расстоянии размера сцены наполовину серое, вдали чёрное
+view-objects = Объекты
+view-objects-tip = Каждый объект своим цветом
+view-cost = Затраты
+view-cost-tip = Работа до первого попадания: боксы красным, фигуры зелёным, 64 — полный цвет
+view-nodes = Тепловая карта: боксы
+view-nodes-tip = В сколько боксов входит луч до первого попадания
+view-triangles = Тепловая карта: треугольники
+view-triangles-tip = Со сколькими треугольниками и другими фигурами проверяется луч до первого попадания
+legend-nodes = Боксов пройдено
+legend-triangles = Фигур проверено
+legend-cost = Работа до первого попадания
+legend-boxes = боксы
+legend-shapes = фигуры
+legend-depth = Расстояние
+legend-near = у глаза
+legend-half = размер сцены
+legend-far = вдали
+legend-normal = Обращены по

@@ -5,6 +5,5 @@ mod support;
 
 mod clicks;
 mod copies;
-mod looks;
 mod many_rays;
 mod pages;

@@ -31,10 +31,11 @@ const MENUS: [Menus; 2] = [
 ];
 
 /// Words that are the same in both languages: names, units of files, keys, formulas.
-const SHARED: [&str; 33] = [
+const SHARED: [&str; 44] = [
     "Ctrl", "Shift", "Delete", "Escape", "Esc", "Home", "Enter", "Tab", "OBJ", "PNG", "EXR", "TOML", "AVX", "SSE",
     "NEON", "avx", "sse", "neon", "avx512", "avx2", "sse2", "scalar", "MIT", "OR", "Apache", "I_a", "I_l", "k_s",
-    "k_d", "cos", "cosⁿ", "Luch", "luch",
+    "k_d", "cos", "cosⁿ", "Luch", "luch", "SVG", "study", "md", "csv", "json", "sRGB", "RGB", "Markdown", "LaTeX",
+    "JSON", "explain",
 ];
 
 fn is_latin(c: char) -> bool {
@@ -85,6 +86,8 @@ fn all_texts(desk: &mut Desk, menus: &Menus) -> BTreeSet<String> {
         desk.menu(&[menus.bar[3], dialog]);
         texts.extend(desk.texts());
         desk.press(menus.close);
+        // Where the menu is still open, a click on its name would close it.
+        desk.key(Modifiers::NONE, Key::Escape);
     }
     texts
 }

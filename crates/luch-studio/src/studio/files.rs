@@ -189,11 +189,13 @@ impl Studio {
         }
     }
 
-    /// Tells the window's frame which scene it shows.
+    /// Tells the window's frame what is selected in which scene.
     pub(super) fn show_title(&mut self, ctx: &Context) {
         let document = &self.state.document;
         let file = document.file().and_then(Path::file_name).map(|name| drawable(&name.to_string_lossy()));
         let name = file.unwrap_or_else(|| document.scene().name.clone());
+        let selected = self.state.selection.and_then(|part| part.name(document.scene()));
+        let name = selected.map_or(name.clone(), |selected| format!("{} — {name}", drawable(selected)));
         let changed = document.is_changed();
         let title = if changed { self.texts.window_title_changed(name) } else { self.texts.window_title(name) };
         if self.title != title {

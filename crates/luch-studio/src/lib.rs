@@ -1,7 +1,7 @@
 //! The window of Luch: a scene, its picture, and every control of both.
 //!
-//! Panels read the [`state`] and queue [`command`]s; [`studio`] applies them in one place. What is slow happens
-//! elsewhere: the renderer behind [`render_link`], files behind [`loader`]. The window draws, it does not compute.
+//! Panels read the `state` and queue `command`s; `studio` applies them in one place. What is slow happens
+//! elsewhere: the renderer behind `render_link`, files behind `loader`. The window draws, it does not compute.
 
 #![forbid(unsafe_code)]
 

@@ -41,7 +41,7 @@ const GREY: [u8; 3] = [110, 110, 110];
 const GRID: [u8; 3] = [225, 225, 225];
 const SHADE: [u8; 3] = [241, 241, 241];
 
-/// The chart as an SVG file. Its text is text: a viewer sets it in [its font](FONT) or the nearest that it has.
+/// The chart as an SVG file. Its text is text: a viewer sets it in its font or the nearest that it has.
 #[must_use]
 pub fn svg(chart: &Chart) -> String {
     let scene = Drawing::of(chart).scene;

@@ -1,4 +1,4 @@
-//! The languages of reports and plots: every text stands in [`Text`], once for each language.
+//! The languages of reports and plots: every text stands in `Text`, once for each language.
 
 mod english;
 mod numbers;

@@ -95,7 +95,13 @@ fn as_many_threads_render_as_were_asked_for() {
     let args: Vec<&str> = ENDLESS.iter().copied().chain(["--threads", "3"]).collect();
     let mut session = Session::start(folder.path(), &args, &[]);
     assert!(session.wait_for(&["rendering ["]), "the render began");
-    let renderers = session.thread_names().into_iter().filter(|name| name.starts_with("luch-render")).count();
+    // The third has no core of its own on a small machine and begins a little later.
+    let patience = std::time::Instant::now() + std::time::Duration::from_secs(60);
+    let renderers = |session: &Session| session.thread_names().iter().filter(|n| n.starts_with("luch-render")).count();
+    while renderers(&session) < 3 && std::time::Instant::now() < patience {
+        std::thread::yield_now();
+    }
+    let most = renderers(&session);
     session.signal(Signal::INT);
-    assert_eq!((session.end().0, renderers), (130, 3));
+    assert_eq!((session.end().0, most), (130, 3));
 }

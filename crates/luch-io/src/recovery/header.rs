@@ -1,8 +1,10 @@
 //! The comments at the head of a scene that was kept safe: what the scene file itself cannot say.
 //!
-//!     # luch-recovery name Two%20spheres
-//!     # luch-recovery file /home/ann/scene.toml
-//!     # luch-recovery model ../models/tree.obj 2 /home/ann/models/tree.obj
+//! ```text
+//! # luch-recovery name Two%20spheres
+//! # luch-recovery file /home/ann/scene.toml
+//! # luch-recovery model ../models/tree.obj 2 /home/ann/models/tree.obj
+//! ```
 
 use crate::builtin;
 use crate::load::SceneSource;

@@ -72,12 +72,12 @@ fn progress(ui: &mut Ui, desk: &Desk<'_>, status: &LiveStatus) {
     });
 }
 
-fn percent(share: f32) -> String {
+pub(super) fn percent(share: f32) -> String {
     format!("{:.0} %", share * 100.0)
 }
 
 /// How long the rest takes if it goes on as it went. Nothing is said before there is something to go by.
-fn time_left(share: f32, elapsed: Duration) -> Option<Duration> {
+pub(super) fn time_left(share: f32, elapsed: Duration) -> Option<Duration> {
     let enough = share > 0.02 && elapsed > Duration::from_millis(300);
     enough.then(|| elapsed.mul_f32((1.0 - share) / share))
 }

@@ -11,9 +11,11 @@ use crate::command::Command;
 use crate::dialogs::{self, Dialog};
 use crate::document::Document;
 use crate::explain::{Copier, Explain, Explainer};
+use crate::figures::Figures;
 use crate::files::{ChooseFile, Files, Purpose};
 use crate::l10n::{self, Texts};
 use crate::loader::Loader;
+use crate::milestone::{Milestone, Milestones};
 use crate::notices::{Notices, Severity};
 use crate::panels;
 use crate::preferences::Preferences;
@@ -45,6 +47,10 @@ pub struct Start {
     pub hints: bool,
     /// Asks for a file in place of the system's dialog.
     pub choose_file: Option<ChooseFile>,
+    /// Whether to show the same times and figures of the machine every time: for pictures of the window.
+    pub still: bool,
+    /// Is told when the window and its first pictures are there.
+    pub milestone: Option<fn(Milestone)>,
 }
 
 /// The window's application.
@@ -63,6 +69,7 @@ pub struct Studio {
     leaving: bool,
     /// What the window's frame says.
     title: String,
+    milestones: Milestones,
 }
 
 impl Studio {
@@ -74,6 +81,10 @@ impl Studio {
         let mut preferences = Preferences::load(creation.storage);
         if let Some(language) = start.language.as_deref().and_then(l10n::of_tag) {
             preferences.language = language;
+        }
+        let figures = if start.still { Figures::Still } else { Figures::Measured };
+        if start.still {
+            preferences.threads = Some(Figures::STILL_CORES);
         }
         creation.egui_ctx.set_theme(preferences.theme);
         crate::style::apply(&creation.egui_ctx);
@@ -90,6 +101,7 @@ impl Studio {
             dialog: None,
             complaint: None,
             hints: start.hints,
+            figures,
             pending: false,
             study: StudyDesk::default(),
             preferences,
@@ -110,6 +122,7 @@ impl Studio {
             stale: true,
             leaving: false,
             title: String::new(),
+            milestones: Milestones::new(start.milestone),
         };
         if let Some(source) = start.scene.filter(|source| *source != SceneSource::BuiltIn(FIRST)) {
             studio.load(&creation.egui_ctx, source);
@@ -372,6 +385,7 @@ impl Studio {
 
 impl eframe::App for Studio {
     fn logic(&mut self, ctx: &Context, _frame: &mut eframe::Frame) {
+        self.milestones.tell();
         self.take_in(ctx);
         self.answer_close(ctx);
     }
@@ -401,6 +415,7 @@ impl eframe::App for Studio {
         }
         self.ask();
         self.show_title(&ctx);
+        self.milestones.note(&self.render, &ctx);
         self.schedule(&ctx);
     }
 

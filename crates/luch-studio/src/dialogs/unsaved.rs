@@ -2,6 +2,7 @@
 
 use crate::command::Command;
 use crate::files::shown;
+use crate::panels::scene_name;
 use crate::state::Desk;
 use egui::{Button, Ui};
 use std::path::Path;
@@ -9,7 +10,7 @@ use std::path::Path;
 /// Asks what to do with unsaved changes before `command` is done.
 pub(super) fn show(ui: &mut Ui, desk: &mut Desk<'_>, command: &Command) {
     let texts = desk.texts;
-    ui.label(texts.unsaved_question(&desk.scene().name));
+    ui.label(texts.unsaved_question(scene_name(&desk.state.document, texts)));
     ui.add_space(10.0);
     ui.horizontal_wrapped(|ui| {
         let then = || Box::new(command.clone());

@@ -12,7 +12,7 @@ mod scene;
 mod status;
 
 pub(crate) use render::duration;
-pub(crate) use scene::built_in_name;
+pub(crate) use scene::{built_in_name, scene_name};
 
 use crate::state::Desk;
 use egui::{CollapsingHeader, Panel, ScrollArea, Ui};

@@ -2,7 +2,7 @@
 
 use crate::command::Command;
 use crate::l10n::Texts;
-use crate::preferences::{Preferences, cores};
+use crate::preferences::Preferences;
 use crate::state::Desk;
 use crate::undo::Gesture;
 use crate::widgets::check::NumberFormat;
@@ -60,7 +60,7 @@ fn progress(ui: &mut Ui, desk: &Desk<'_>, status: &LiveStatus) {
                 Some(left) => texts.progress_left(percent(share), duration(left, texts)),
                 None => percent(share),
             },
-            LivePhase::Idle => duration(status.elapsed, texts),
+            LivePhase::Idle => duration(desk.state.figures.elapsed(status.elapsed), texts),
         }
     };
     let name = texts.progress();
@@ -135,12 +135,13 @@ fn depth_field(ui: &mut Ui, desk: &mut Desk<'_>) {
 
 fn threads_field(ui: &mut Ui, desk: &mut Desk<'_>) {
     let texts = desk.texts;
-    let (name, tip) = (texts.threads(), texts.threads_tip(cores()));
+    let cores = desk.state.figures.cores();
+    let (name, tip) = (texts.threads(), texts.threads_tip(cores));
     let format = NumberFormat { range: 1.0..=Preferences::MAX_THREADS as f64, decimals: 0, suffix: "" };
-    let most = (cores() * 2).max(8) as f64;
+    let most = (cores * 2).max(8) as f64;
     let field = NumberField::new(&name, desk.state.preferences.threads_in_use() as f64, format).tooltip(&tip);
     if let Some((threads, _)) = field.slider(1.0..=most).show(ui, texts) {
         let threads = threads as usize;
-        desk.send(Command::SetThreads((threads != cores()).then_some(threads)));
+        desk.send(Command::SetThreads((threads != cores).then_some(threads)));
     }
 }

@@ -210,6 +210,12 @@ impl Desk {
         }
     }
 
+    /// Scrolls to a field or a list to choose from.
+    pub fn scroll_to_field(&mut self, name: &str) {
+        let is_list = self.harness.query_by_role_and_label(Role::ComboBox, name).is_some();
+        self.scroll_to(if is_list { Role::ComboBox } else { Role::TextInput }, name);
+    }
+
     /// Types a value into the field of that name and presses Enter.
     pub fn type_into(&mut self, name: &str, text: &str) {
         self.begin_typing(name, text);

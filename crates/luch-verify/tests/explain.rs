@@ -183,3 +183,16 @@ fn rays_start_and_end_where_their_parents_and_surfaces_say() {
         });
     }
 }
+
+#[test]
+fn the_account_of_ten_thousand_rays_takes_a_few_megabytes_and_no_recursion() {
+    let scene = built_in("two-spheres");
+    let compiled = compile(&scene, &mut MeshTrees::new(), 2);
+    // Between the spheres, where each mirrors the other.
+    let wide = job(&scene, 0, [960, 720], 4096);
+    let account = explain(&compiled, &wide, 404, 348).unwrap();
+    assert!(account.rays.len() > 10_000, "{}", account.rays.len());
+    let bytes = account.memory_bytes() / account.rays.len();
+    assert!(bytes < 300, "{bytes} bytes a ray");
+    assert_eq!(bits(account.sum()), bits(account.pixel));
+}

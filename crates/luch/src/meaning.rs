@@ -136,8 +136,7 @@ fn format_of(output: &Path, bits: Option<Bits>) -> Result<Format, Failure> {
 
 /// The scale is for counts, and is drawn as a screen shows it.
 fn check_color_bar(picture: &PictureArgs, format: Format) -> Result<(), Failure> {
-    let counts = matches!(picture.integrator, Integrator::Nodes | Integrator::Triangles);
-    if picture.color_bar && !counts {
+    if picture.color_bar && !picture.integrator.shows_counts() {
         let word = picture.integrator.word();
         return Err(Failure::usage(format!("--color-bar: --integrator {word} shows no counts"))
             .hint("use it with --integrator nodes or --integrator triangles"));

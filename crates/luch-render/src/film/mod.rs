@@ -1,5 +1,6 @@
 //! The picture while it is made.
 
+pub mod color_bar;
 pub mod heat;
 pub mod tonemap;
 

@@ -52,6 +52,12 @@ impl Integrator {
         }
     }
 
+    /// Whether its colours are counts, which mean something only beside their scale.
+    #[must_use]
+    pub const fn shows_counts(self) -> bool {
+        matches!(self, Self::Nodes | Self::Triangles)
+    }
+
     /// The integrator of that word.
     #[must_use]
     pub fn from_word(word: &str) -> Option<Self> {

@@ -1,7 +1,6 @@
 //! Does what a command means.
 
 mod bench_rays;
-mod color_bar;
 mod explain;
 mod info;
 mod render;

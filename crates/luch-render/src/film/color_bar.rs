@@ -1,6 +1,6 @@
 //! The scale of the views that show counts, drawn to the right of the picture.
 
-use luch_render::film::heat::{HEAT_END, HEAT_TICKS, heat_color, heat_place};
+use super::heat::{HEAT_END, HEAT_TICKS, heat_color, heat_place};
 
 /// Sides of a letter, and from one to the next, in dots.
 const LETTER: [usize; 2] = [5, 7];
@@ -14,9 +14,13 @@ const NUMBERS: usize = 30;
 const TOP: usize = 19;
 const BOTTOM: usize = 8;
 
-/// The linear picture with the scale beside it, as linear light; answers with the new width. The picture itself is not
-/// touched: `title` says what is counted.
-pub(super) fn beside(linear: &[f32], [width, height]: [u32; 2], title: &str) -> (u32, Vec<f32>) {
+/// The linear picture with the scale beside it, as linear light; answers with the new width in pixels. The picture itself
+/// is not touched.
+///
+/// `linear` has red, green and blue of each pixel, rows from the top; `title` says what is counted, a word of an
+/// [`Integrator`](crate::Integrator). A side of a dot of its letters is a 300th of the height.
+#[must_use]
+pub fn beside(linear: &[f32], [width, height]: [u32; 2], title: &str) -> (u32, Vec<f32>) {
     let (width, height) = (width as usize, height as usize);
     // Dots grow with the picture, so that the numbers can be read in a large one.
     let dot = (height / 300).max(1);
@@ -128,7 +132,7 @@ const fn glyph(letter: char) -> [u8; 7] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use luch_render::Integrator;
+    use crate::Integrator;
 
     #[test]
     fn every_letter_of_the_scale_can_be_written() {

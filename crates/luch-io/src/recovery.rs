@@ -86,7 +86,7 @@ impl RecoveryFolder {
     }
 
     /// Removes the folder: the program ends as it should.
-    pub fn remove(self) {
+    pub fn remove(&self) {
         remove(&self.path);
     }
 }
@@ -219,7 +219,7 @@ impl Recoverable {
     }
 
     /// Removes it.
-    pub fn discard(self) {
+    pub fn discard(&self) {
         remove(&self.folder);
     }
 }

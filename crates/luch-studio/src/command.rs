@@ -2,7 +2,7 @@
 
 use crate::dialogs::Dialog;
 use crate::explain::ExplainCommand;
-use crate::files::{FileQuestion, Purpose};
+use crate::files::{ExportForm, FileQuestion, Purpose};
 use crate::l10n::{Language, Texts};
 use crate::placement::Addition;
 use crate::selection::Part;
@@ -89,6 +89,25 @@ pub(crate) enum Command {
     AddCamera,
     /// Read models and put them into the scene.
     AddModels(Vec<PathBuf>),
+    /// Take in files that were dropped on the window.
+    Drop {
+        /// The files.
+        paths: Vec<PathBuf>,
+        /// Whether a model is to be opened instead of added.
+        alone: bool,
+    },
+    /// Ask what picture is to be made for a file.
+    ExportDialog,
+    /// Make a picture for a file.
+    Export(Box<ExportForm>),
+    /// Stop the picture for a file.
+    CancelExport,
+    /// Bring back a scene that an earlier program had not saved.
+    Recover(usize),
+    /// Remove such a scene.
+    DiscardRecovered(usize),
+    /// Take a camera out of the scene.
+    RemoveCamera(usize),
     /// Look what lies in a folder.
     ListFolder(PathBuf, Purpose),
     /// Open the system's dialog.
@@ -177,6 +196,7 @@ impl Command {
             Self::OpenDialog,
             Self::Save,
             Self::SaveAs,
+            Self::ExportDialog,
             Self::Quit,
             Self::Undo,
             Self::Redo,
@@ -206,6 +226,7 @@ impl Command {
             Self::OpenDialog => ctrl(Key::O),
             Self::Save => ctrl(Key::S),
             Self::SaveAs => ctrl_shift(Key::S),
+            Self::ExportDialog => ctrl(Key::E),
             Self::Quit => ctrl(Key::Q),
             Self::Undo => ctrl(Key::Z),
             Self::Redo => ctrl_shift(Key::Z),
@@ -239,6 +260,8 @@ impl Command {
             Self::Add(what) => what.name(texts),
             Self::AddModelDialog => texts.command_add_model(),
             Self::AddCamera => texts.command_add_camera(),
+            Self::RemoveCamera(_) => texts.command_remove_camera(),
+            Self::ExportDialog => texts.command_export(),
             Self::Quit => texts.command_quit(),
             Self::Undo => texts.command_undo(),
             Self::Redo => texts.command_redo(),

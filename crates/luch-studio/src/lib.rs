@@ -39,7 +39,8 @@ const APP_ID: &str = "luch";
 ///
 /// # Errors
 /// Why there is no window: no display, no OpenGL.
-pub fn run(start: Start) -> Result<(), String> {
+pub fn run(mut start: Start) -> Result<(), String> {
+    start.data_dir = start.data_dir.or_else(|| eframe::storage_dir(APP_ID));
     let viewport = egui::ViewportBuilder::default()
         .with_app_id(APP_ID)
         .with_title("Luch")

@@ -146,7 +146,7 @@ mod tests {
         assert_eq!(Preferences::load(Some(&storage)), preferences);
         preferences.forget(odd);
         assert_eq!(preferences.recent, [Path::new("/b.toml")]);
-        eframe::Storage::set_string(&mut storage, Preferences::KEY, "{nonsense".into());
+        storage.0.insert(Preferences::KEY.into(), "{nonsense".into());
         assert!(Preferences::load(Some(&storage)).recent.is_empty());
     }
 }

@@ -15,6 +15,7 @@ use crate::view::View;
 use luch_io::SceneSource;
 use luch_render::Integrator;
 use luch_scene::{Camera, Scene};
+use std::path::PathBuf;
 
 /// The state of the window.
 #[derive(Debug)]
@@ -34,6 +35,8 @@ pub(crate) struct State {
     pub(crate) dialog: Option<Dialog>,
     /// What was wrong with the last input of the dialog.
     pub(crate) complaint: Option<String>,
+    /// The folder that a picture was written to last.
+    pub(crate) exported_to: Option<PathBuf>,
     /// Whether a person who has not read the hints of the first run is to see them.
     pub(crate) hints: bool,
     /// Whether there are changes that no picture shows, because live update is off.

@@ -1,9 +1,13 @@
 //! The studio: takes in what happened, shows the panels, applies the commands that they queued.
 
 mod adding;
+mod dropping;
 mod explaining;
+mod exporting;
 mod files;
 mod looking;
+mod recovering;
+mod scenes;
 
 pub(crate) use explaining::PATIENCE;
 
@@ -11,7 +15,7 @@ use crate::command::Command;
 use crate::dialogs::{self, Dialog};
 use crate::document::Document;
 use crate::explain::{Copier, Explain, Explainer};
-use crate::files::{ChooseFile, Files, Purpose};
+use crate::files::{ChooseFile, Files, Purpose, Recovery};
 use crate::l10n::{self, Texts};
 use crate::loader::Loader;
 use crate::notices::{Notices, Severity};
@@ -28,7 +32,8 @@ use crate::viewport;
 use egui::{Context, Ui};
 use luch_io::SceneSource;
 use luch_render::session::live::LivePhase;
-use luch_scene::{Aim, Camera, Edit, EditError, Light, Point, Scene};
+use luch_scene::{Camera, Edit, EditError, Scene};
+use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 /// How often progress is drawn while a picture is made.
@@ -45,6 +50,10 @@ pub struct Start {
     pub hints: bool,
     /// Asks for a file in place of the system's dialog.
     pub choose_file: Option<ChooseFile>,
+    /// The folder to keep changed scenes safe in; `None`: they are not kept.
+    pub data_dir: Option<PathBuf>,
+    /// How long a change may wait until it is safe; `None`: 20 seconds.
+    pub keep_every: Option<Duration>,
 }
 
 /// The window's application.
@@ -77,9 +86,9 @@ impl Studio {
         }
         creation.egui_ctx.set_theme(preferences.theme);
         crate::style::apply(&creation.egui_ctx);
-        let first = first_scene();
+        let first = scenes::first();
         let state = State {
-            document: Document::opened(first, SceneSource::BuiltIn(FIRST)),
+            document: Document::opened(first, SceneSource::BuiltIn(scenes::FIRST)),
             view: View::default(),
             selection: None,
             tool: crate::command::Tool::default(),
@@ -89,6 +98,7 @@ impl Studio {
             notices: Notices::default(),
             dialog: None,
             complaint: None,
+            exported_to: None,
             hints: start.hints,
             pending: false,
             study: StudyDesk::default(),
@@ -97,7 +107,8 @@ impl Studio {
         let texts = state.preferences.language.load();
         let render = RenderLink::start(&creation.egui_ctx)?;
         let loader = Loader::new();
-        let files = Files::new(loader.library(), start.choose_file);
+        let recovery = Recovery::new(start.data_dir, start.keep_every, loader.library(), &creation.egui_ctx);
+        let files = Files::new(loader.library(), start.choose_file, recovery);
         let mut studio = Self {
             state,
             texts,
@@ -111,7 +122,7 @@ impl Studio {
             leaving: false,
             title: String::new(),
         };
-        if let Some(source) = start.scene.filter(|source| *source != SceneSource::BuiltIn(FIRST)) {
+        if let Some(source) = start.scene.filter(|source| *source != SceneSource::BuiltIn(scenes::FIRST)) {
             studio.load(&creation.egui_ctx, source);
         }
         Ok(studio)
@@ -217,7 +228,19 @@ impl Studio {
     /// The one place where the window's state changes.
     fn apply(&mut self, command: Command, ctx: &Context) {
         match command {
-            Command::New | Command::Open(_) | Command::OpenDialog | Command::Quit => self.unless_unsaved(command, ctx),
+            Command::New | Command::Open(_) | Command::OpenDialog | Command::Recover(_) | Command::Quit => {
+                self.unless_unsaved(command, ctx);
+            }
+            Command::Drop { paths, alone } => self.take_dropped(paths, alone, ctx),
+            Command::ExportDialog => self.open_dialog(Dialog::Export, ctx),
+            Command::Export(form) => self.export(*form, ctx),
+            Command::CancelExport => {
+                if let Some(export) = &self.files.export {
+                    export.cancel();
+                }
+            }
+            Command::DiscardRecovered(index) => self.discard_recovered(index, ctx),
+            Command::RemoveCamera(index) => self.remove_camera(index),
             Command::Discard(command) => {
                 self.close_dialog(ctx);
                 self.replace_scene(*command, ctx);
@@ -297,7 +320,7 @@ impl Studio {
                 self.state.dialog = Some(dialog);
                 self.state.complaint = None;
             }
-            Command::CloseDialog => self.close_dialog(ctx),
+            Command::CloseDialog => self.leave_dialog(ctx),
             Command::HintsRead => self.state.preferences.hints_read = true,
             Command::DismissNotice(id) => self.state.notices.dismiss(id),
             Command::Study(command) => self.study(command, ctx),
@@ -364,7 +387,8 @@ impl Studio {
 
     /// Draws again in time for progress to be seen, and not at all when nothing goes on.
     fn schedule(&self, ctx: &Context) {
-        if self.loader.source().is_some() || self.render.status().phase != LivePhase::Idle {
+        let waits = self.loader.source().is_some() || self.files.export.is_some();
+        if waits || self.render.status().phase != LivePhase::Idle {
             ctx.request_repaint_after(PROGRESS_EVERY);
         }
     }
@@ -400,6 +424,7 @@ impl eframe::App for Studio {
             self.state.document.end_gesture();
         }
         self.ask();
+        self.keep_safe(&ctx);
         self.show_title(&ctx);
         self.schedule(&ctx);
     }
@@ -407,31 +432,8 @@ impl eframe::App for Studio {
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
         self.state.preferences.store(storage);
     }
-}
 
-/// The scene that a window starts with.
-const FIRST: &str = "two-spheres";
-
-/// The first built-in scene; it has no models, so it is there at once.
-fn first_scene() -> Scene {
-    let mut no_models = |path: &str, _: &mut luch_io::Report| {
-        Err(luch_io::Error::new(luch_io::ErrorKind::Forbidden, path, "the first scene has no models"))
-    };
-    luch_io::builtin::load(FIRST, &mut no_models, &mut luch_io::Report::default()).unwrap_or_else(|_| Scene::new(FIRST))
-}
-
-/// An empty scene that one can put things into: a lamp and a camera.
-fn new_scene(texts: &Texts) -> Scene {
-    let mut scene = Scene::new(texts.new_scene_name());
-    scene.lights.push(Light::new(texts.new_lamp_name(), Point::clamped([3.0, 6.0, 4.0].into())));
-    scene.cameras.push(default_camera(&scene));
-    scene
-}
-
-/// A camera that has the whole scene in view.
-fn default_camera(scene: &Scene) -> Camera {
-    let [lo, hi] = scene.bounds().unwrap_or([glam::Vec3::splat(-1.0), glam::Vec3::splat(1.0)]);
-    let (middle, reach) = ((lo + hi) * 0.5, ((hi - lo).length() * 0.5).max(1e-3));
-    let from = middle + glam::vec3(0.0, 0.35, 1.0).normalize_or_zero() * reach * 3.0;
-    Camera::new(scene.free_camera_name("Camera 1"), Point::clamped(from), Aim::At(Point::clamped(middle)))
+    fn on_exit(&mut self, _gl: Option<&eframe::glow::Context>) {
+        self.files.recovery.end();
+    }
 }

@@ -48,3 +48,64 @@ new-wall-name = Wall
 # $number (String) - of the camera
 new-camera-name = Camera { $number }
 notice-model-not-added = The model was not added
+
+## Recent files and drops
+menu-recent = Open recent
+drop-scene = Drop to open the scene
+drop-model = Drop to add the model; with Shift held, to open it alone
+drop-model-alone = Drop to open the model alone
+drop-anything = Drop to open a scene or to add a model
+drop-nothing = Only scenes (.toml) and models (.obj) can be opened
+notice-not-opened = Not opened: one scene at a time, and only .toml and .obj files
+
+## Pictures for files
+command-export = Export picture…
+export-png-8 = PNG, 8 bits
+export-png-16 = PNG, 16 bits
+export-exr = EXR, 32-bit linear light
+# $needed (String) - bytes
+# $limit (String) - bytes
+export-too-large = The picture needs { $needed } of memory; { $limit } may be used. Choose a smaller size.
+export-busy = Another picture is on its way; this one can start when that is done.
+export-progress = Progress of the export
+export-writing = Writing the file…
+# $name (String) - the file
+export-of = Export: { $name }
+export-cancel = Cancel the export
+notice-exported = The picture is exported
+notice-not-exported = The picture was not exported
+notice-export-cancelled = The export was cancelled
+dialog-stop-export = A picture is on its way
+stop-export-question = A picture is being made for a file. Quit and drop it?
+button-quit = Quit
+
+## Recovery
+dialog-recover = Unsaved scenes
+recover-what = Luch ended without saving these scenes.
+button-recover = Recover
+button-discard = Discard
+button-later = Later
+button-later-tip = They are offered again at the next start
+ago-moments = Kept less than a minute ago
+# $minutes (Number) - full ones
+ago-minutes = { $minutes ->
+    [one] Kept { $minutes } minute ago
+   *[other] Kept { $minutes } minutes ago
+}
+# $hours (Number) - full ones
+ago-hours = { $hours ->
+    [one] Kept { $hours } hour ago
+   *[other] Kept { $hours } hours ago
+}
+# $days (Number) - full ones
+ago-days = { $days ->
+    [one] Kept { $days } day ago
+   *[other] Kept { $days } days ago
+}
+notice-not-kept = The changes cannot be kept safe: save the scene
+
+## Cameras
+camera-menu = Cameras: add, rename, remove
+command-remove-camera = Remove the camera
+dialog-rename-camera = Rename the camera…
+button-rename = Rename

@@ -41,3 +41,61 @@ new-cube-name = Куб
 new-wall-name = Стена
 new-camera-name = Камера { $number }
 notice-model-not-added = Модель не добавлена
+
+## Недавние файлы и перетаскивание
+menu-recent = Недавние
+drop-scene = Отпустите, чтобы открыть сцену
+drop-model = Отпустите, чтобы добавить модель; с Shift — чтобы открыть её отдельно
+drop-model-alone = Отпустите, чтобы открыть модель отдельно
+drop-anything = Отпустите, чтобы открыть сцену или добавить модель
+drop-nothing = Открываются только сцены (.toml) и модели (.obj)
+notice-not-opened = Не открыто: сцена бывает только одна, а файлы — только .toml и .obj
+
+## Изображения в файлы
+command-export = Сохранить изображение…
+export-png-8 = PNG, 8 бит
+export-png-16 = PNG, 16 бит
+export-exr = EXR, линейный свет, 32 бита
+export-too-large = Изображению нужно памяти: { $needed }, можно занять: { $limit }. Выберите размер поменьше.
+export-busy = Другое изображение ещё в работе; это начнётся после него.
+export-progress = Ход сохранения изображения
+export-writing = Файл записывается…
+export-of = В файл: { $name }
+export-cancel = Прервать сохранение
+notice-exported = Изображение сохранено
+notice-not-exported = Изображение не сохранено
+notice-export-cancelled = Сохранение изображения прервано
+dialog-stop-export = Изображение ещё в работе
+stop-export-question = Изображение для файла ещё не готово. Выйти и бросить его?
+button-quit = Выйти
+
+## Восстановление
+dialog-recover = Несохранённые сцены
+recover-what = «Луч» завершился, не сохранив эти сцены.
+button-recover = Восстановить
+button-discard = Удалить
+button-later = Позже
+button-later-tip = Они будут предложены при следующем запуске
+ago-moments = Записана меньше минуты назад
+ago-minutes = { $minutes ->
+    [one] Записана { $minutes } минуту назад
+    [few] Записана { $minutes } минуты назад
+   *[other] Записана { $minutes } минут назад
+}
+ago-hours = { $hours ->
+    [one] Записана { $hours } час назад
+    [few] Записана { $hours } часа назад
+   *[other] Записана { $hours } часов назад
+}
+ago-days = { $days ->
+    [one] Записана { $days } день назад
+    [few] Записана { $days } дня назад
+   *[other] Записана { $days } дней назад
+}
+notice-not-kept = Изменения не удаётся сберечь: сохраните сцену
+
+## Камеры
+camera-menu = Камеры: добавить, переименовать, удалить
+command-remove-camera = Удалить камеру
+dialog-rename-camera = Переименовать камеру…
+button-rename = Переименовать

@@ -1,8 +1,12 @@
 //! What asks or tells: windows over the picture, one at a time.
 
 mod about;
+mod camera;
+mod entries;
+mod export;
 mod path;
 mod path_field;
+mod recover;
 mod shortcuts;
 mod unsaved;
 
@@ -10,7 +14,7 @@ use crate::command::Command;
 use crate::files::Purpose;
 use crate::l10n::Texts;
 use crate::state::Desk;
-use egui::{Button, Context, Id, Modal};
+use egui::{Button, Context, Frame, Id, Modal};
 use std::path::PathBuf;
 
 /// A dialog. What is typed into it is its own business; only what is decided becomes a command.
@@ -27,6 +31,14 @@ pub(crate) enum Dialog {
         /// What to do when the file is written.
         then: Option<Box<Command>>,
     },
+    /// Asks what picture is to be made for a file.
+    Export,
+    /// Offers scenes that an earlier program had not saved.
+    Recover,
+    /// Asks for another name of a camera.
+    RenameCamera(usize),
+    /// Asks before the window closes while a picture is made.
+    StopExport,
     /// Asks what to do with unsaved changes before something is done.
     Unsaved(Box<Command>),
     /// Asks whether a file may be replaced.
@@ -47,6 +59,10 @@ impl Dialog {
             Self::About => texts.dialog_about(),
             Self::Shortcuts => texts.dialog_shortcuts(),
             Self::Path { purpose, .. } => purpose.title(texts),
+            Self::Export => texts.dialog_export(),
+            Self::Recover => texts.dialog_recover(),
+            Self::RenameCamera(_) => texts.dialog_rename_camera(),
+            Self::StopExport => texts.dialog_stop_export(),
             Self::Unsaved(_) => texts.dialog_unsaved(),
             Self::Replace { .. } => texts.dialog_replace(),
         }
@@ -58,20 +74,28 @@ pub(crate) fn forget(ctx: &Context) {
     for purpose in [Purpose::Open, Purpose::Save, Purpose::AddModel, Purpose::Export] {
         path_field::forget(ctx, purpose);
     }
+    export::forget(ctx);
+    camera::forget(ctx);
 }
 
 /// Shows the dialog that is open.
 pub(crate) fn show(ctx: &Context, desk: &mut Desk<'_>) {
     let Some(dialog) = desk.state.dialog.clone() else { return };
     let title = dialog.label(desk.texts);
-    let response = Modal::new(Id::unique("dialog")).show(ctx, |ui| {
+    let frame = Frame::popup(&ctx.global_style()).inner_margin(14);
+    let response = Modal::new(Id::unique("dialog")).frame(frame).show(ctx, |ui| {
         ui.set_max_width(560.0);
-        ui.heading(title);
+        // In a menu the dots say that a dialog comes; here it is.
+        ui.heading(title.trim_end_matches('…'));
         ui.separator();
         match &dialog {
             Dialog::About => about::show(ui, desk),
             Dialog::Shortcuts => shortcuts::show(ui, desk),
             Dialog::Path { purpose, then } => path::show(ui, desk, *purpose, then.as_deref()),
+            Dialog::Export => export::show(ui, desk),
+            Dialog::Recover => recover::show(ui, desk),
+            Dialog::RenameCamera(index) => camera::show(ui, desk, *index),
+            Dialog::StopExport => unsaved::show_stop_export(ui, desk),
             Dialog::Unsaved(command) => unsaved::show(ui, desk, command),
             Dialog::Replace { path, replace, back } => unsaved::show_replace(ui, desk, path, replace, back),
         }

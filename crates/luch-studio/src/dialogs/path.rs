@@ -13,7 +13,7 @@ pub(super) fn show(ui: &mut Ui, desk: &mut Desk<'_>, purpose: Purpose, then: Opt
     let texts = desk.texts;
     ui.set_width(560.0);
     let state = desk.state;
-    let Answer { path, done, .. } = path_field::show(ui, desk, purpose, || start(state, purpose));
+    let Answer { path, done, .. } = path_field::show(ui, desk, purpose, 9.0, || start(state, purpose));
     let busy = desk.loading.is_some() || desk.files.is_saving() || desk.files.is_adding();
     if busy {
         ui.weak(if purpose.writes() { texts.files_saving() } else { texts.files_reading() });

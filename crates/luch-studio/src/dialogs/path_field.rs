@@ -3,6 +3,7 @@
 //! Arrow keys go through the list, Enter takes the marked entry or, with none marked, ends the input. Beside the field a
 //! button asks the dialog of the system, where there is one.
 
+use super::entries;
 use crate::command::Command;
 use crate::files::{Chosen, FileQuestion, Purpose, TypedPath, shown};
 use crate::state::Desk;
@@ -10,9 +11,6 @@ use crate::widgets::row;
 use egui::{Button, Id, Key, Modifiers, Response, ScrollArea, TextEdit, Ui, text::CCursor, text::CCursorRange};
 use luch_io::folder::Entry;
 use std::path::{Path, PathBuf};
-
-/// Rows of the list that are seen at once.
-const ROWS: f32 = 9.0;
 
 /// What the field remembers while its dialog is open.
 #[derive(Debug, Clone, Default)]
@@ -27,8 +25,6 @@ pub(super) struct Answer {
     pub(super) path: PathBuf,
     /// Whether Enter was pressed, or the system's dialog closed with a file.
     pub(super) done: bool,
-    /// Whether the text has changed.
-    pub(super) changed: bool,
 }
 
 /// Forgets what was typed: the next dialog begins anew.
@@ -40,8 +36,19 @@ fn id(purpose: Purpose) -> Id {
     Id::unique(("path field", purpose))
 }
 
-/// Shows the field; `start` is where it begins.
-pub(super) fn show(ui: &mut Ui, desk: &mut Desk<'_>, purpose: Purpose, start: impl FnOnce() -> TypedPath) -> Answer {
+/// Gives the file another ending.
+pub(super) fn set_ending(ctx: &egui::Context, purpose: Purpose, ending: &str) {
+    ctx.data_mut(|d| d.get_temp_mut_or_default::<Field>(id(purpose)).typed.set_ending(ending));
+}
+
+/// Shows the field and so many rows of the list; `start` is where it begins.
+pub(super) fn show(
+    ui: &mut Ui,
+    desk: &mut Desk<'_>,
+    purpose: Purpose,
+    list_rows: f32,
+    start: impl FnOnce() -> TypedPath,
+) -> Answer {
     let id = id(purpose);
     let mut field: Field = ui.data(|d| d.get_temp(id)).unwrap_or_default();
     let first = !field.begun;
@@ -50,7 +57,7 @@ pub(super) fn show(ui: &mut Ui, desk: &mut Desk<'_>, purpose: Purpose, start: im
     }
     let home = desk.files.home.clone();
     let home = home.as_deref();
-    let mut answer = Answer { path: PathBuf::new(), done: false, changed: false };
+    let mut answer = Answer { path: PathBuf::new(), done: false };
 
     answer.done |= take_chosen(desk, &mut field);
     let text_id = id.with("text");
@@ -59,7 +66,7 @@ pub(super) fn show(ui: &mut Ui, desk: &mut Desk<'_>, purpose: Purpose, start: im
         Some(Ok(entries)) => entries.to_vec(),
         _ => Vec::new(),
     };
-    let mut rows: Vec<Entry> = field.typed.matches(&entries).into_iter().cloned().collect();
+    let rows: Vec<Entry> = field.typed.matches(&entries).into_iter().cloned().collect();
     let keys = take_keys(ui, text_id);
     match keys {
         Keys::Down => field.marked = Some(field.marked.map_or(0, |row| row + 1)).filter(|_| !rows.is_empty()),
@@ -74,34 +81,34 @@ pub(super) fn show(ui: &mut Ui, desk: &mut Desk<'_>, purpose: Purpose, start: im
         mark_name(ui, text_id, &field.typed.text, purpose);
     }
     if response.changed() {
-        (field.marked, field.typed.edited, answer.changed) = (None, true, true);
+        (field.marked, field.typed.edited) = (None, true);
         desk.send(Command::ForgetComplaint);
     }
     if response.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter)) {
         match field.marked.take().and_then(|row| rows.get(row)) {
             Some(entry) => {
-                let (name, is_folder) = (entry.name.clone(), entry.is_folder);
-                take_entry(ui, &mut field, &name, is_folder, home, text_id);
-                answer.done |= !is_folder && !purpose.writes();
-                answer.changed = true;
+                take_entry(ui, &mut field, &entry.name, entry.is_folder, home, text_id);
+                answer.done |= !entry.is_folder && !purpose.writes();
             }
             None => answer.done = true,
         }
     }
     show_state(ui, desk, &folder, purpose);
-    if let Some(clicked) = list(ui, desk, &mut rows, field.marked, keys != Keys::None, &field.typed, home) {
-        match clicked {
-            Clicked::Above => {
-                field.typed.leave(home);
-                to_end(ui, text_id, &field.typed.text);
-            }
-            Clicked::Entry(row) => {
-                if let Some(entry) = rows.get(row) {
-                    take_entry(ui, &mut field, &entry.name.clone(), entry.is_folder, home, text_id);
-                }
-            }
-        }
-        (field.marked, answer.changed) = (None, true);
+    let mut taken = false;
+    if folder.parent().is_some_and(|above| !above.as_os_str().is_empty())
+        && ui.button(desk.texts.folder_above()).clicked()
+    {
+        field.typed.leave(home);
+        to_end(ui, text_id, &field.typed.text);
+        taken = true;
+    }
+    let follow = keys != Keys::None;
+    if let Some(entry) = entries::show(ui, &rows, list_rows, field.marked, follow).and_then(|row| rows.get(row)) {
+        take_entry(ui, &mut field, &entry.name, entry.is_folder, home, text_id);
+        taken = true;
+    }
+    if taken {
+        field.marked = None;
         desk.send(Command::ForgetComplaint);
     }
     let folder = field.typed.folder(home);
@@ -203,52 +210,6 @@ fn show_state(ui: &mut Ui, desk: &Desk<'_>, folder: &Path, purpose: Purpose) {
     } else if let Some(Err(why)) = desk.files.listed(folder, purpose) {
         row::complaint(ui, &desk.texts.folder_not_read(shown(folder.as_os_str()), why));
     }
-}
-
-enum Clicked {
-    Above,
-    Entry(usize),
-}
-
-fn list(
-    ui: &mut Ui,
-    desk: &Desk<'_>,
-    rows: &mut [Entry],
-    marked: Option<usize>,
-    follow: bool,
-    typed: &TypedPath,
-    home: Option<&Path>,
-) -> Option<Clicked> {
-    let height = ui.spacing().interact_size.y;
-    let mut clicked = None;
-    if typed.folder(home).parent().is_some_and(|above| !above.as_os_str().is_empty())
-        && ui.button(desk.texts.folder_above()).clicked()
-    {
-        clicked = Some(Clicked::Above);
-    }
-    let row_height = height + ui.spacing().item_spacing.y;
-    let mut area = ScrollArea::vertical().id_salt("entries").auto_shrink([false, false]);
-    area = area.max_height(ROWS * row_height).min_scrolled_height(ROWS * row_height);
-    if let Some(row) = marked.filter(|_| follow) {
-        area = area.vertical_scroll_offset((row as f32 - ROWS / 2.0).max(0.0) * row_height);
-    }
-    area.show_rows(ui, height, rows.len(), |ui, range| {
-        for (row, entry) in rows.iter().enumerate().take(range.end).skip(range.start) {
-            let mut name = shown(&entry.name);
-            if entry.is_folder {
-                name.push(std::path::MAIN_SEPARATOR);
-            }
-            let button = Button::selectable(marked == Some(row), name).truncate();
-            let size = egui::vec2(ui.available_width(), height);
-            let left = egui::Layout::left_to_right(egui::Align::Center)
-                .with_main_justify(true)
-                .with_main_align(egui::Align::Min);
-            if ui.allocate_ui_with_layout(size, left, |ui| ui.add(button)).inner.clicked() {
-                clicked = Some(Clicked::Entry(row));
-            }
-        }
-    });
-    clicked
 }
 
 fn take_entry(ui: &Ui, field: &mut Field, name: &std::ffi::OsStr, is_folder: bool, home: Option<&Path>, text: Id) {

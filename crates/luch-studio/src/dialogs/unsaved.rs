@@ -51,3 +51,23 @@ pub(super) fn show_replace(ui: &mut Ui, desk: &mut Desk<'_>, path: &Path, replac
         }
     });
 }
+
+/// Asks whether the window is to be closed while a picture is made.
+pub(super) fn show_stop_export(ui: &mut Ui, desk: &mut Desk<'_>) {
+    let texts = desk.texts;
+    ui.label(texts.stop_export_question());
+    ui.add_space(10.0);
+    ui.horizontal_wrapped(|ui| {
+        if ui.button(texts.button_quit()).clicked() {
+            desk.send(Command::CancelExport);
+            desk.send(Command::Discard(Box::new(Command::Quit)));
+        }
+        let stay = ui.button(texts.button_cancel());
+        if ui.ctx().memory(|m| m.focused().is_none()) {
+            stay.request_focus();
+        }
+        if stay.clicked() {
+            desk.send(Command::CloseDialog);
+        }
+    });
+}

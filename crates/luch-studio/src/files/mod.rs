@@ -3,12 +3,16 @@
 //! Each piece of work has a thread of its own ([`task`]); the studio polls for what came of it. What a file holds is
 //! the business of luch-io.
 
+mod export;
 mod question;
+mod recovery;
 mod task;
 mod typed;
 
+pub(crate) use export::{Export, ExportEnd, ExportForm, PictureKind};
 pub(crate) use question::Purpose;
 pub use question::{ChooseFile, FileQuestion};
+pub(crate) use recovery::{Recovered, Recovery};
 pub(crate) use typed::{TypedPath, shown};
 
 use crate::command::Command;
@@ -40,6 +44,9 @@ pub(crate) struct Files {
     listing: Option<Listing>,
     choosing: Option<Choosing>,
     adding: Option<Adding>,
+    /// The picture on its way to a file.
+    pub(crate) export: Option<Export>,
+    pub(crate) recovery: Recovery,
 }
 
 /// A scene being written.
@@ -120,17 +127,18 @@ impl Files {
     /// A dialog that answers sooner than anybody can was none.
     const AT_ONCE: Duration = Duration::from_millis(400);
 
-    pub(crate) fn new(library: Library, choose: Option<ChooseFile>) -> Self {
+    pub(crate) fn new(library: Library, choose: Option<ChooseFile>, recovery: Recovery) -> Self {
         let choose = choose.unwrap_or(question::ask_system);
         let home = std::env::home_dir().filter(|home| !home.as_os_str().is_empty());
-        Self { library, choose, home, saving: None, listing: None, choosing: None, adding: None }
+        let (saving, listing, choosing, adding, export) = (None, None, None, None, None);
+        Self { library, choose, home, saving, listing, choosing, adding, export, recovery }
     }
 
     /// Whether nothing is under way that ends by itself.
     pub(crate) fn is_idle(&self) -> bool {
         let listed = self.listing.as_ref().is_none_or(|listing| listing.found.is_some());
         let chosen = self.choosing.as_ref().is_none_or(|choosing| choosing.chosen.is_some());
-        self.saving.is_none() && self.adding.is_none() && listed && chosen
+        self.saving.is_none() && self.adding.is_none() && listed && chosen && self.recovery.is_idle()
     }
 
     /// Starts to write a scene. One at a time: a second order waits for the first.
@@ -280,6 +288,9 @@ impl Files {
 impl Drop for Files {
     fn drop(&mut self) {
         self.stop_adding();
+        if let Some(export) = self.export.take() {
+            export.end();
+        }
         // A scene that is being written is waited for: the process would end in the middle of it.
         if let Some(saving) = self.saving.take() {
             saving.task.wait();

@@ -40,6 +40,18 @@ impl<T: Send + 'static> Task<T> {
         // A panic was caught and is told by the answer.
         let _ = self.thread.join();
     }
+
+    /// Whether the thread has ended.
+    pub(crate) fn is_done(&self) -> bool {
+        self.thread.is_finished()
+    }
+
+    /// Waits until the work is done and answers as [`Task::poll`] would have.
+    pub(crate) fn finish(self) -> Result<T, String> {
+        let Self { answer, thread } = self;
+        let _ = thread.join();
+        answer.try_recv().unwrap_or_else(|_| Err("the answer was taken already".to_owned()))
+    }
 }
 
 #[cfg(test)]

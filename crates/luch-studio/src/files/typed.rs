@@ -95,6 +95,16 @@ impl TypedPath {
         Self { whole: Some((typed.text.clone(), path.to_owned())), ..typed }
     }
 
+    /// Gives the file another ending.
+    pub(crate) fn set_ending(&mut self, ending: &str) {
+        let name = self.text.rsplit(is_separator).next().unwrap_or_default();
+        let stem = name.rfind('.').filter(|&at| at > 0).and_then(|at| name.get(..at)).unwrap_or(name);
+        if !stem.is_empty() {
+            let folder = self.text.get(..self.text.len() - name.len()).unwrap_or_default();
+            self.text = format!("{folder}{stem}.{ending}");
+        }
+    }
+
     /// Goes to the folder above.
     pub(crate) fn leave(&mut self, home: Option<&Path>) {
         let folder = self.folder(home);
@@ -170,6 +180,15 @@ mod tests {
         path.leave(None);
         path.leave(None);
         assert_eq!(path.text, "/");
+    }
+
+    #[test]
+    fn a_file_gets_another_ending() {
+        for (text, other) in [("/a.b/c.png", "/a.b/c.exr"), ("/a.b/c", "/a.b/c.exr"), ("/a.b/", "/a.b/"), ("", "")] {
+            let mut path = typed(text);
+            path.set_ending("exr");
+            assert_eq!(path.text, other);
+        }
     }
 
     #[test]

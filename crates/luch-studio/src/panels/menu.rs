@@ -2,11 +2,13 @@
 
 use crate::command::{Command, Zoom};
 use crate::dialogs::Dialog;
+use crate::files::shown;
 use crate::l10n::Language;
 use crate::placement::Addition;
 use crate::state::Desk;
 use crate::study::StudyCommand;
 use egui::{Button, MenuBar, ThemePreference, Ui};
+use luch_io::SceneSource;
 use luch_render::Integrator;
 
 pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
@@ -15,11 +17,13 @@ pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
         ui.menu_button(texts.menu_file(), |ui| {
             item(ui, desk, Command::New, true);
             item(ui, desk, Command::OpenDialog, true);
+            recent_menu(ui, desk);
             ui.separator();
             let document = &desk.state.document;
             let savable = document.is_changed() || document.file().is_none();
             item(ui, desk, Command::Save, savable);
             item(ui, desk, Command::SaveAs, true);
+            item(ui, desk, Command::ExportDialog, true);
             ui.separator();
             item(ui, desk, Command::Quit, true);
         });
@@ -82,6 +86,22 @@ fn view_menu(ui: &mut Ui, desk: &mut Desk<'_>) {
                 desk.send(Command::SetIntegrator(integrator));
             }
         }
+    });
+}
+
+/// The files that were used last.
+fn recent_menu(ui: &mut Ui, desk: &mut Desk<'_>) {
+    let recent: Vec<_> = desk.state.preferences.recent.iter().filter_map(|path| SceneSource::of_path(path)).collect();
+    ui.add_enabled_ui(!recent.is_empty(), |ui| {
+        ui.menu_button(desk.texts.menu_recent(), |ui| {
+            for source in recent {
+                let path = source.path().unwrap_or(std::path::Path::new(""));
+                let name = shown(path.file_name().unwrap_or_default());
+                if ui.button(name).on_hover_text(shown(path.as_os_str())).clicked() {
+                    desk.send(Command::Open(source));
+                }
+            }
+        });
     });
 }
 

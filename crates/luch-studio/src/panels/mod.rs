@@ -1,5 +1,7 @@
 //! The controls around the picture: menu above, status below, everything else to the right.
 
+mod drop;
+mod export;
 mod hints;
 mod lens;
 mod menu;
@@ -24,6 +26,7 @@ const WIDTH: [f32; 2] = [300.0, 360.0];
 pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
     Panel::top("menu").show(ui, |ui| menu::show(ui, desk));
     Panel::bottom("status").show(ui, |ui| status::show(ui, desk));
+    export::show(ui, desk);
     Panel::right("controls").min_size(WIDTH[0]).default_size(WIDTH[1]).max_size(640.0).show(ui, |ui| {
         // Always in sight, whatever is scrolled.
         Panel::bottom("render").resizable(false).show(ui, |ui| render::show(ui, desk));
@@ -43,7 +46,8 @@ pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
     ui.ctx().accesskit_node_builder(handle, |node| node.set_label(desk.texts.panel_resize()));
     crate::explain::show_panel(ui, desk);
     hints::show(ui.ctx(), desk);
-    notices::show(ui.ctx(), desk);
+    notices::show(ui.ctx(), ui.available_rect_before_wrap(), desk);
+    drop::show(ui.ctx(), desk);
 }
 
 /// A part of the panel that can be folded away.

@@ -1,16 +1,17 @@
-//! Notices over the lower left of the window.
+//! Notices over the lower left of the picture, where they cover no control.
 
 use crate::command::Command;
 use crate::notices::Severity;
 use crate::state::Desk;
-use egui::{Align2, Area, Context, Frame, Id, RichText, ScrollArea, vec2};
+use egui::{Align2, Area, Context, Frame, Id, Rect, RichText, ScrollArea, vec2};
 
-pub(crate) fn show(ctx: &Context, desk: &mut Desk<'_>) {
+pub(crate) fn show(ctx: &Context, picture: Rect, desk: &mut Desk<'_>) {
     let list: Vec<_> = desk.state.notices.iter().cloned().collect();
     if list.is_empty() {
         return;
     }
-    Area::new(Id::unique("notices")).anchor(Align2::LEFT_BOTTOM, vec2(12.0, -40.0)).show(ctx, |ui| {
+    let corner = picture.left_bottom() + vec2(12.0, -12.0);
+    Area::new(Id::unique("notices")).pivot(Align2::LEFT_BOTTOM).fixed_pos(corner).show(ctx, |ui| {
         for notice in list {
             Frame::popup(ui.style()).show(ui, |ui| {
                 ui.set_width(380.0);

@@ -6,11 +6,11 @@ use crate::preferences::{Preferences, cores};
 use crate::state::Desk;
 use crate::undo::Gesture;
 use crate::widgets::check::NumberFormat;
-use crate::widgets::number::{NumberField, field_of, show_complaint};
-use crate::widgets::row;
+use crate::widgets::number::NumberField;
+use crate::widgets::size::size_field;
 use egui::{Button, ProgressBar, Ui, vec2};
 use luch_render::session::live::{LivePhase, LiveStatus};
-use luch_scene::{Edit, ImageSize, RenderSettings, SettingsEdit};
+use luch_scene::{Edit, RenderSettings, SettingsEdit};
 use std::time::Duration;
 
 pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
@@ -72,12 +72,12 @@ fn progress(ui: &mut Ui, desk: &Desk<'_>, status: &LiveStatus) {
     });
 }
 
-fn percent(share: f32) -> String {
+pub(super) fn percent(share: f32) -> String {
     format!("{:.0} %", share * 100.0)
 }
 
 /// How long the rest takes if it goes on as it went. Nothing is said before there is something to go by.
-fn time_left(share: f32, elapsed: Duration) -> Option<Duration> {
+pub(super) fn time_left(share: f32, elapsed: Duration) -> Option<Duration> {
     let enough = share > 0.02 && elapsed > Duration::from_millis(300);
     enough.then(|| elapsed.mul_f32((1.0 - share) / share))
 }
@@ -95,32 +95,9 @@ pub(crate) fn duration(duration: Duration, texts: &Texts) -> String {
 }
 
 fn size_fields(ui: &mut Ui, desk: &mut Desk<'_>) {
-    let texts = desk.texts;
-    let size = desk.scene().settings.size;
-    let format = NumberFormat { range: 1.0..=f64::from(ImageSize::MAX_SIDE), decimals: 0, suffix: "" };
-    let [width_id, height_id] = ["width", "height"].map(|side| ui.scope_id().with(("size", side)));
-    let sides = [f64::from(size.width()), f64::from(size.height())];
-    let typed = row::labelled(ui, &texts.picture_size(), &texts.picture_size_tip(), |ui, _| {
-        let (width, typed_width) = field_of(ui, width_id, sides[0], &format, 64.0, texts);
-        name(&width, &texts.picture_width());
-        ui.label("×");
-        let (height, typed_height) = field_of(ui, height_id, sides[1], &format, 64.0, texts);
-        name(&height, &texts.picture_height());
-        (typed_width.is_some() || typed_height.is_some())
-            .then(|| [typed_width.unwrap_or(sides[0]), typed_height.unwrap_or(sides[1])])
-    });
-    show_complaint(ui, width_id, sides[0]);
-    show_complaint(ui, height_id, sides[1]);
-    if let Some([width, height]) = typed
-        && let Ok(size) = ImageSize::new(width as u32, height as u32)
-    {
+    if let Some(size) = size_field(ui, desk.scene().settings.size, desk.texts) {
         desk.send(Command::Edit(Edit::Settings(SettingsEdit::SetSize(size)), Gesture::Single));
     }
-}
-
-/// Gives a field the name that a screen reader says.
-fn name(response: &egui::Response, name: &str) {
-    response.ctx.accesskit_node_builder(response.id, |node| node.set_label(name));
 }
 
 fn depth_field(ui: &mut Ui, desk: &mut Desk<'_>) {

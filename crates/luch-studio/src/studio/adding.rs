@@ -51,6 +51,15 @@ impl Studio {
         }
     }
 
+    /// Takes a camera out of the scene and looks through the one that takes its place.
+    pub(super) fn remove_camera(&mut self, index: usize) {
+        let count = self.state.scene().cameras.len();
+        self.edit(Edit::RemoveCamera(index), Gesture::Single);
+        if self.state.scene().cameras.len() < count {
+            self.choose_camera(index);
+        }
+    }
+
     /// Makes a camera of the scene of what is seen now, and looks through it.
     pub(super) fn add_camera(&mut self) {
         let scene = Arc::clone(self.state.document.scene());

@@ -1,6 +1,6 @@
 //! What the studio does with files: opens and saves scenes, asks before anything is lost.
 
-use super::{Studio, default_camera, new_scene};
+use super::{Studio, scenes};
 use crate::command::Command;
 use crate::dialogs::{self, Dialog};
 use crate::document::Document;
@@ -17,6 +17,8 @@ impl Studio {
     pub(super) fn unless_unsaved(&mut self, command: Command, ctx: &Context) {
         if self.state.document.is_worth_asking() {
             self.open_dialog(Dialog::Unsaved(Box::new(command)), ctx);
+        } else if command == Command::Quit && self.files.export.is_some() {
+            self.open_dialog(Dialog::StopExport, ctx);
         } else {
             self.replace_scene(command, ctx);
         }
@@ -25,9 +27,13 @@ impl Studio {
     /// Does what puts another scene in place of the one at hand, saved or not.
     pub(super) fn replace_scene(&mut self, command: Command, ctx: &Context) {
         match command {
-            Command::New => self.replace(Document::untitled(new_scene(&self.texts), None, false)),
+            Command::New => self.replace(Document::untitled(scenes::new(&self.texts), None, false)),
             Command::Open(source) => self.load(ctx, source),
             Command::OpenDialog => self.open_dialog(Dialog::Path { purpose: Purpose::Open, then: None }, ctx),
+            Command::Recover(index) => {
+                let started = self.files.recovery.recover(index, ctx);
+                self.tell_internal(started);
+            }
             Command::Quit => {
                 self.leaving = true;
                 ctx.send_viewport_cmd(ViewportCommand::Close);
@@ -42,9 +48,9 @@ impl Studio {
         if !ctx.input(|i| i.viewport().close_requested()) || self.leaving {
             return;
         }
-        if self.state.document.is_worth_asking() {
+        if self.state.document.is_worth_asking() || self.files.export.is_some() {
             ctx.send_viewport_cmd(ViewportCommand::CancelClose);
-            self.open_dialog(Dialog::Unsaved(Box::new(Command::Quit)), ctx);
+            self.unless_unsaved(Command::Quit, ctx);
         }
     }
 
@@ -60,9 +66,25 @@ impl Studio {
         dialogs::forget(ctx);
     }
 
+    /// Closes the dialog because somebody wants nothing of it.
+    pub(super) fn leave_dialog(&mut self, ctx: &Context) {
+        if self.state.dialog == Some(Dialog::Recover) {
+            if self.files.recovery.is_recovering() {
+                return;
+            }
+            // What was not decided about is offered at the next start.
+            self.files.recovery.leave();
+        }
+        self.close_dialog(ctx);
+    }
+
     /// Whether the dialog asks for a path of that purpose.
     pub(super) fn asks_for(&self, purpose: Purpose) -> bool {
-        matches!(&self.state.dialog, Some(Dialog::Path { purpose: asked, .. }) if *asked == purpose)
+        match &self.state.dialog {
+            Some(Dialog::Path { purpose: asked, .. }) => *asked == purpose,
+            Some(Dialog::Export) => purpose == Purpose::Export,
+            _ => false,
+        }
     }
 
     pub(super) fn load(&mut self, ctx: &Context, source: SceneSource) {
@@ -87,7 +109,7 @@ impl Studio {
             }
             Ok(mut scene) => {
                 if scene.cameras.is_empty() {
-                    scene.cameras.push(default_camera(&scene));
+                    scene.cameras.push(scenes::default_camera(&scene));
                 }
                 if let Some(path) = source.path() {
                     self.state.preferences.remember(path);
@@ -187,6 +209,8 @@ impl Studio {
         if let Some(added) = self.files.added() {
             self.take_added(added, ctx);
         }
+        self.take_export(ctx);
+        self.take_recovery(ctx);
     }
 
     /// Tells the window's frame what is selected in which scene.

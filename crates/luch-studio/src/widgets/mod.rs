@@ -6,4 +6,5 @@ pub(crate) mod icon;
 pub(crate) mod number;
 pub(crate) mod picker;
 pub(crate) mod row;
+pub(crate) mod size;
 pub(crate) mod text;

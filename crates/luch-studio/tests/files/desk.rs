@@ -69,15 +69,23 @@ impl Desk {
     /// Opens a menu and clicks an entry.
     pub(crate) fn open_menu(&mut self, menu: &str, entry: &str) {
         self.harness.get_by_role_and_label(Role::Button, menu).click();
-        self.steps(2);
-        // Behind the name stands the key.
+        self.steps(4);
+        self.press_starting(entry);
+        self.settle();
+    }
+
+    /// Clicks an entry of the open menu.
+    pub(crate) fn press_starting(&mut self, entry: &str) {
+        // Behind the name stands the key; the row of a list, which may have the same name, is on or off.
         let is_it = |node: &egui_kittest::kittest::AccessKitNode<'_>| {
             let label = node.label().unwrap_or_default();
             let rest = label.strip_prefix(entry);
-            node.role() == Role::Button && rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(" Ctrl"))
+            node.role() == Role::Button
+                && node.toggled().is_none()
+                && rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(" Ctrl"))
         };
-        self.harness.get_by(is_it).click();
-        self.settle();
+        let found = self.harness.query_all_by(is_it).last();
+        found.unwrap_or_else(|| panic!("there is no entry {entry}")).click();
     }
 
     /// Clicks a button; of several, the one on top.
@@ -85,6 +93,18 @@ impl Desk {
         let found = self.harness.query_all_by_role_and_label(Role::Button, name).last();
         found.unwrap_or_else(|| panic!("there is no button {name}")).click();
         self.settle();
+    }
+
+    /// Draws frames until something is so.
+    pub(crate) fn wait(&mut self, is_so: impl Fn(&Self) -> bool) {
+        // So long that only what never ends is stopped.
+        let patience = std::time::Instant::now() + std::time::Duration::from_secs(120);
+        while !is_so(self) {
+            assert!(std::time::Instant::now() < patience, "it never comes");
+            self.harness.step();
+            std::thread::yield_now();
+        }
+        self.steps(3);
     }
 
     pub(crate) fn steps(&mut self, count: usize) {

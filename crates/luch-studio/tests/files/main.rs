@@ -3,8 +3,13 @@
 #[path = "../support/mod.rs"]
 mod support;
 
+mod adding;
 mod bad;
+mod cameras;
 mod desk;
+mod drops;
+mod export;
 mod guard;
 mod open;
+mod recovery;
 mod save;

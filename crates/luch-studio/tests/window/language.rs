@@ -31,11 +31,11 @@ const MENUS: [Menus; 2] = [
 ];
 
 /// Words that are the same in both languages: names, units of files, keys, formulas.
-const SHARED: [&str; 44] = [
+const SHARED: [&str; 46] = [
     "Ctrl", "Shift", "Delete", "Escape", "Esc", "Home", "Enter", "Tab", "OBJ", "PNG", "EXR", "TOML", "AVX", "SSE",
     "NEON", "avx", "sse", "neon", "avx512", "avx2", "sse2", "scalar", "MIT", "OR", "Apache", "I_a", "I_l", "k_s",
     "k_d", "cos", "cosⁿ", "Luch", "luch", "SVG", "study", "md", "csv", "json", "sRGB", "RGB", "Markdown", "LaTeX",
-    "JSON", "explain",
+    "JSON", "explain", "toml", "obj",
 ];
 
 fn is_latin(c: char) -> bool {

@@ -1,0 +1,36 @@
+//! The width and height of a picture, in one row.
+
+use super::check::NumberFormat;
+use super::number::{field_of, show_complaint};
+use super::row;
+use crate::l10n::Texts;
+use egui::{Response, Ui};
+use luch_scene::ImageSize;
+
+/// The width of each of the two fields, in points.
+const FIELD: f32 = 64.0;
+
+/// Shows the size and answers with the one that was typed.
+pub(crate) fn size_field(ui: &mut Ui, size: ImageSize, texts: &Texts) -> Option<ImageSize> {
+    let format = NumberFormat { range: 1.0..=f64::from(ImageSize::MAX_SIDE), decimals: 0, suffix: "" };
+    let ids = ["width", "height"].map(|side| ui.scope_id().with(("size", side)));
+    let sides = [size.width(), size.height()].map(f64::from);
+    let typed = row::labelled(ui, &texts.picture_size(), &texts.picture_size_tip(), |ui, _| {
+        let (width, typed_width) = field_of(ui, ids[0], sides[0], &format, FIELD, texts);
+        name(&width, &texts.picture_width());
+        ui.label("×");
+        let (height, typed_height) = field_of(ui, ids[1], sides[1], &format, FIELD, texts);
+        name(&height, &texts.picture_height());
+        (typed_width.is_some() || typed_height.is_some())
+            .then(|| [typed_width.unwrap_or(sides[0]), typed_height.unwrap_or(sides[1])])
+    });
+    show_complaint(ui, ids[0], sides[0]);
+    show_complaint(ui, ids[1], sides[1]);
+    let [width, height] = typed?;
+    ImageSize::new(width as u32, height as u32).ok()
+}
+
+/// Gives a field the name that a screen reader says.
+fn name(response: &Response, name: &str) {
+    response.ctx.accesskit_node_builder(response.id, |node| node.set_label(name));
+}

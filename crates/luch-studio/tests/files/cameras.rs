@@ -1,0 +1,45 @@
+//! Cameras added, renamed, removed.
+
+use crate::desk::{BALL, Folder, studio, studio_with};
+use egui::{Key, Modifiers};
+
+const MENU: &str = "Cameras: add, rename, remove";
+
+#[test]
+fn a_camera_is_made_of_what_is_seen() {
+    let mut desk = studio();
+    desk.open_menu(MENU, "Camera from this view");
+    let scene = desk.harness.state().scene();
+    assert_eq!(scene.cameras.len(), 4);
+    assert_eq!(scene.cameras[3].name, "Camera 4");
+    assert_eq!(scene.cameras[3].position, scene.cameras[0].position);
+    assert_eq!(desk.harness.state().camera().unwrap().name, "Camera 4");
+    desk.key(Modifiers::COMMAND, Key::Z);
+    assert_eq!(desk.harness.state().scene().cameras.len(), 3);
+    assert!(desk.harness.state().camera().is_some());
+}
+
+#[test]
+fn a_camera_is_renamed_and_no_name_is_given_twice() {
+    let mut desk = studio();
+    desk.open_menu(MENU, "Rename the camera…");
+    for name in ["Camera 2", "", "From above"] {
+        desk.type_into("Name", name);
+        assert_eq!(desk.offers("Rename"), name != "From above", "{name}");
+    }
+    assert_eq!(desk.harness.state().camera().unwrap().name, "From above");
+}
+
+#[test]
+fn the_last_camera_stays() {
+    let folder = Folder::new();
+    let mut desk = studio();
+    desk.open_menu(MENU, "Remove the camera");
+    desk.open_menu(MENU, "Remove the camera");
+    assert_eq!(desk.harness.state().scene().cameras.len(), 1);
+    assert_eq!(desk.harness.state().camera().unwrap().name, "Camera 3");
+    let mut desk = studio_with(&folder.write("ball.toml", BALL));
+    desk.open_menu(MENU, "Remove the camera");
+    assert_eq!(desk.harness.state().scene().cameras.len(), 1);
+    assert!(!desk.says("The change was refused"), "it cannot even be asked for");
+}

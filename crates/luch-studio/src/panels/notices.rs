@@ -31,7 +31,7 @@ pub(crate) fn show(ctx: &Context, picture: Rect, desk: &mut Desk<'_>) {
                     });
                     if !notice.details.is_empty() {
                         ScrollArea::vertical().max_height(140.0).show(ui, |ui| {
-                            ui.label(RichText::new(&notice.details).monospace().small());
+                            ui.label(RichText::new(&notice.details).monospace().size(11.5));
                         });
                     }
                 });

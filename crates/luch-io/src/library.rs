@@ -15,13 +15,13 @@ use std::time::SystemTime;
 /// Meshes by the file that they came from.
 ///
 /// A file is read again when its size or its time of change is another. Models inside the program are read once in the
-/// whole run, by the first scene that needs them.
-#[derive(Debug, Default)]
+/// whole run, by the first scene that needs them. A clone shares the meshes.
+#[derive(Debug, Clone, Default)]
 pub struct MeshLibrary {
     meshes: HashMap<Key, Held>,
 }
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct Held {
     mesh: Arc<Mesh>,
     files: ModelFiles,
@@ -36,7 +36,7 @@ pub struct ModelFiles {
     pub libraries: Vec<SceneFile>,
 }
 
-#[derive(Debug, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Key {
     path: PathBuf,
     bytes: u64,
@@ -107,6 +107,13 @@ impl MeshLibrary {
     /// Notes that files hold the mesh, too.
     pub(crate) fn add_place(&mut self, mesh: &Arc<Mesh>, files: ModelFiles) {
         self.meshes.insert(Key::of(&files.model), Held { mesh: Arc::clone(mesh), files });
+    }
+
+    /// Takes over what another library knows. Of two meshes of one file, the own one stays.
+    pub fn absorb(&mut self, other: Self) {
+        for (key, held) in other.meshes {
+            self.meshes.entry(key).or_insert(held);
+        }
     }
 
     /// Forgets the meshes that no scene holds any more.

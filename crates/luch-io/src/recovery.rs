@@ -19,6 +19,7 @@ use crate::report::Report;
 use crate::resolve::{Found, MAX_TEXT_BYTES, SceneFile, SceneFolder, encode_name};
 use crate::scene_file::{parse_scene, write_scene};
 use luch_scene::{MeshId, Scene, Shape};
+use std::ffi::OsString;
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
@@ -62,8 +63,7 @@ impl RecoveryFolder {
             }
         };
         let lock = File::create(path.join(LOCK)).map_err(|e| failed(&path, &e))?;
-        // Where the file system has no locks, nobody else can take it either.
-        let _ = lock.try_lock();
+        hold(&lock);
         Ok(Self { path, _lock: lock })
     }
 
@@ -88,6 +88,15 @@ impl RecoveryFolder {
     /// Removes the folder: the program ends as it should.
     pub fn remove(&self) {
         remove(&self.path);
+    }
+}
+
+/// Locks the file of a folder that is new.
+fn hold(lock: &File) {
+    // Where the file system has no locks, nobody else can take it either. Who looks for dead programs at this moment holds
+    // it no longer than it takes to see that there is no scene.
+    if let Err(fs::TryLockError::WouldBlock) = lock.try_lock() {
+        let _ = lock.lock();
     }
 }
 
@@ -173,7 +182,12 @@ fn remove_if_old(folder: &Path) {
 
 /// Removes the files that are ours, then the folder. Whatever else lies there stays.
 fn remove(folder: &Path) {
-    for name in [SCENE, LOCK] {
+    let half_written = format!(".{SCENE}.tmp-");
+    let names = fs::read_dir(folder).into_iter().flatten().filter_map(|entry| Some(entry.ok()?.file_name()));
+    let is_ours = |name: &OsString| {
+        name == SCENE || name == LOCK || name.to_str().is_some_and(|name| name.starts_with(&half_written))
+    };
+    for name in names.filter(is_ours) {
         let _ = fs::remove_file(folder.join(name));
     }
     let _ = fs::remove_dir(folder);
@@ -258,6 +272,47 @@ mod tests {
 
     fn load(found: &Recoverable) -> Result<Scene> {
         found.load(&mut MeshLibrary::new(), &mut Budget::new(1 << 30), &mut Report::default())
+    }
+
+    #[test]
+    fn what_died_while_it_wrote_is_removed_with_all_that_is_ours_and_nothing_else() {
+        let data = data("half");
+        for strange in [None, Some("notes.txt")] {
+            let folder = RecoveryFolder::create(&data).unwrap();
+            folder.save(&Scene::new("half"), None, &MeshLibrary::new()).unwrap();
+            let path = die(folder);
+            fs::write(path.join(".scene.toml.tmp-1-0"), "luch =").unwrap();
+            if let Some(strange) = strange {
+                fs::write(path.join(strange), "").unwrap();
+            }
+            recoverable(&data)[0].discard();
+            let left: Vec<_> =
+                fs::read_dir(&path).into_iter().flatten().map(|file| file.unwrap().file_name()).collect();
+            assert_eq!(left, strange.map(OsString::from).into_iter().collect::<Vec<_>>());
+        }
+        fs::remove_dir_all(&data).unwrap();
+    }
+
+    #[test]
+    fn a_new_folder_that_another_program_looks_at_is_locked_all_the_same() {
+        let data = data("looked at");
+        let path = data.join(LOCK);
+        for _ in 0..50 {
+            let (own, other) = (File::create(&path).unwrap(), File::open(&path).unwrap());
+            other.lock().unwrap();
+            let (begin, begins) = std::sync::mpsc::sync_channel(0);
+            std::thread::scope(|threads| {
+                let hold = || {
+                    begin.send(()).unwrap();
+                    hold(&own);
+                };
+                std::thread::Builder::new().spawn_scoped(threads, hold).unwrap();
+                begins.recv().unwrap();
+                other.unlock().unwrap();
+            });
+            assert!(other.try_lock().is_err(), "it is not held");
+        }
+        fs::remove_dir_all(&data).unwrap();
     }
 
     #[test]

@@ -102,6 +102,8 @@ pub(crate) enum Command {
     Export(Box<ExportForm>),
     /// Stop the picture for a file.
     CancelExport,
+    /// Close the window although a picture for a file is under way.
+    QuitWithoutExport,
     /// Bring back a scene that an earlier program had not saved.
     Recover(usize),
     /// Remove such a scene.

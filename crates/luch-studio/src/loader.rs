@@ -3,12 +3,11 @@
 use crate::document::Stamp;
 use crate::files::Library;
 use luch_io::budget::Budget;
-use luch_io::library::MeshLibrary;
 use luch_io::{Error, Report, SceneSource, load_scene};
 use luch_scene::Scene;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
-use std::sync::{Arc, Mutex};
 use std::thread;
 
 /// What came of a load.
@@ -46,17 +45,14 @@ struct Running {
     answer: Receiver<Loaded>,
 }
 
-/// The most bytes that the meshes of one scene may take: half the memory that most desktops have.
-const MEMORY: u64 = 8 << 30;
-
 impl Loader {
     pub(crate) fn new() -> Self {
-        Self { library: Arc::new(Mutex::new(MeshLibrary::new())), running: None }
+        Self { library: Library::default(), running: None }
     }
 
     /// The meshes that were read.
     pub(crate) fn library(&self) -> Library {
-        Arc::clone(&self.library)
+        self.library.clone()
     }
 
     /// Starts to load in place of the scene in the state `over`; `wake` is called when [`Loader::poll`] has something to answer.
@@ -119,10 +115,8 @@ impl Work {
     fn run(self, answer: &SyncSender<Loaded>) {
         let mut report = Report::default();
         let read = std::panic::AssertUnwindSafe(|| {
-            let mut library = self.library.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-            library.forget_unused();
-            let mut budget = Budget::new(MEMORY).cancelled_by(Arc::clone(&self.stop));
-            load_scene(&self.source, &mut library, &mut budget, &mut report)
+            let mut budget = Budget::default().cancelled_by(Arc::clone(&self.stop));
+            self.library.read(|library| load_scene(&self.source, library, &mut budget, &mut report))
         });
         let scene = match std::panic::catch_unwind(read) {
             Ok(scene) => scene.map_err(LoadFailure::File),

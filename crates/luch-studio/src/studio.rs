@@ -65,6 +65,8 @@ pub struct Studio {
     explainer: Explainer,
     copier: Copier,
     files: Files,
+    /// Whether a dialog waits for the scene that is being loaded.
+    loading_for_dialog: bool,
     commands: Vec<Command>,
     /// Whether what is seen differs from what was asked for last.
     stale: bool,
@@ -115,6 +117,7 @@ impl Studio {
             render,
             loader,
             files,
+            loading_for_dialog: false,
             explainer: Explainer::default(),
             copier: Copier::default(),
             commands: Vec::new(),
@@ -192,7 +195,8 @@ impl Studio {
     }
 
     /// Shows another document in place of the one at hand.
-    fn replace(&mut self, document: Document) {
+    fn replace(&mut self, document: Document, ctx: &Context) {
+        self.close_dialog_of_scene(ctx);
         self.state.document = document;
         self.state.view = View::default();
         self.state.selection = None;
@@ -238,6 +242,10 @@ impl Studio {
                 if let Some(export) = &self.files.export {
                     export.cancel();
                 }
+            }
+            Command::QuitWithoutExport => {
+                self.close_dialog(ctx);
+                self.leave(ctx);
             }
             Command::DiscardRecovered(index) => self.discard_recovered(index, ctx),
             Command::RemoveCamera(index) => self.remove_camera(index),
@@ -387,7 +395,7 @@ impl Studio {
 
     /// Draws again in time for progress to be seen, and not at all when nothing goes on.
     fn schedule(&self, ctx: &Context) {
-        let waits = self.loader.source().is_some() || self.files.export.is_some();
+        let waits = self.loader.source().is_some() || self.files.is_busy();
         if waits || self.render.status().phase != LivePhase::Idle {
             ctx.request_repaint_after(PROGRESS_EVERY);
         }

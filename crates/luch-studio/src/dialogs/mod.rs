@@ -43,6 +43,8 @@ pub(crate) enum Dialog {
     Unsaved(Box<Command>),
     /// Asks whether a file may be replaced.
     Replace {
+        /// What the file is for.
+        purpose: Purpose,
         /// The file.
         path: PathBuf,
         /// What replaces it.
@@ -97,7 +99,7 @@ pub(crate) fn show(ctx: &Context, desk: &mut Desk<'_>) {
             Dialog::RenameCamera(index) => camera::show(ui, desk, *index),
             Dialog::StopExport => unsaved::show_stop_export(ui, desk),
             Dialog::Unsaved(command) => unsaved::show(ui, desk, command),
-            Dialog::Replace { path, replace, back } => unsaved::show_replace(ui, desk, path, replace, back),
+            Dialog::Replace { path, replace, back, .. } => unsaved::show_replace(ui, desk, path, replace, back),
         }
     });
     if response.should_close() {

@@ -39,6 +39,9 @@ pub(super) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
     if let Some(complaint) = &desk.state.complaint {
         row::complaint(ui, complaint);
     }
+    if busy {
+        ui.weak(texts.files_reading());
+    }
     if ui.button(texts.button_later()).on_hover_text(texts.button_later_tip()).clicked() {
         desk.send(Command::CloseDialog);
     }

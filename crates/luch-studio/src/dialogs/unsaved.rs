@@ -59,8 +59,7 @@ pub(super) fn show_stop_export(ui: &mut Ui, desk: &mut Desk<'_>) {
     ui.add_space(10.0);
     ui.horizontal_wrapped(|ui| {
         if ui.button(texts.button_quit()).clicked() {
-            desk.send(Command::CancelExport);
-            desk.send(Command::Discard(Box::new(Command::Quit)));
+            desk.send(Command::QuitWithoutExport);
         }
         let stay = ui.button(texts.button_cancel());
         if ui.ctx().memory(|m| m.focused().is_none()) {

@@ -160,10 +160,7 @@ fn make(scene: &Scene, job: &RenderJob, form: &ExportForm, progress: &Progress) 
     }
     check_writable(path)?;
     let bytes = ExportForm::bytes(form.kind, job);
-    Budget::default().charge("the picture", bytes).map_err(|over| {
-        // The hint of the command line has no place in a window.
-        Error { hint: None, ..over.in_file(path) }
-    })?;
+    Budget::default().charge("the picture", bytes).map_err(|over| over.in_file(path))?;
     let compiled = compile(scene, &mut MeshTrees::new(), job.threads);
     let film = match render(&compiled, job, progress) {
         Ok(film) => film,

@@ -4,12 +4,14 @@
 //! the business of luch-io.
 
 mod export;
+mod library;
 mod question;
 mod recovery;
 mod task;
 mod typed;
 
 pub(crate) use export::{Export, ExportEnd, ExportForm, PictureKind};
+pub(crate) use library::Library;
 pub(crate) use question::Purpose;
 pub use question::{ChooseFile, FileQuestion};
 pub(crate) use recovery::{Recovered, Recovery};
@@ -20,18 +22,14 @@ use crate::document::Stamp;
 use egui::Context;
 use luch_io::budget::Budget;
 use luch_io::folder::{self, Entry};
-use luch_io::library::MeshLibrary;
 use luch_io::{Error, Model, Report, Saved, load_model, save_scene};
 use luch_scene::Scene;
 use std::io;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 use task::Task;
-
-/// The meshes of the program, shared with the threads that read and write.
-pub(crate) type Library = Arc<Mutex<MeshLibrary>>;
 
 /// The work with files that is under way.
 #[derive(Debug)]
@@ -112,6 +110,8 @@ pub(crate) enum Chosen {
 #[derive(Debug)]
 struct Adding {
     task: Task<Added>,
+    /// Whether a dialog asked for them, and waits.
+    for_dialog: bool,
     stop: Arc<AtomicBool>,
 }
 
@@ -147,7 +147,7 @@ impl Files {
             order.then = order.then.take().or(old.then);
             task
         });
-        let library = Arc::clone(&self.library);
+        let library = self.library.clone();
         let SaveOrder { scene, path, replace, .. } = order.clone();
         let task = Task::start("luch-save", ctx, move || {
             if let Some(before) = before {
@@ -156,8 +156,7 @@ impl Files {
             if !replace && path.exists() {
                 return SaveEnd::Exists;
             }
-            let mut library = library.lock().unwrap_or_else(PoisonError::into_inner);
-            let saved = save_scene(&scene, &path, &mut library, &mut Budget::default());
+            let saved = save_scene(&scene, &path, &mut library.lock(), &mut Budget::default());
             saved.map_or_else(SaveEnd::Failed, SaveEnd::Written)
         })?;
         self.saving = Some(Saving { task, order });
@@ -169,6 +168,18 @@ impl Files {
         let answer = self.saving.as_ref()?.task.poll()?;
         let Saving { order, .. } = self.saving.take()?;
         Some((order, answer.unwrap_or_else(SaveEnd::Internal)))
+    }
+
+    /// Does something when the scene that is being written is; `None`: nothing. Answers whether one is being written.
+    pub(crate) fn after_saving(&mut self, then: Option<Command>) -> bool {
+        let Some(saving) = &mut self.saving else { return false };
+        saving.order.then = then.map(Box::new);
+        true
+    }
+
+    /// Whether something is under way that a person waits for.
+    pub(crate) const fn is_busy(&self) -> bool {
+        self.saving.is_some() || self.adding.is_some() || self.export.is_some() || self.recovery.is_recovering()
     }
 
     /// Whether a scene is being written.
@@ -225,25 +236,26 @@ impl Files {
         self.choosing = None;
     }
 
-    /// Starts to read models.
-    pub(crate) fn add(&mut self, paths: Vec<PathBuf>, ctx: &Context) -> io::Result<()> {
+    /// Starts to read models, for a dialog that waits or without one.
+    pub(crate) fn add(&mut self, paths: Vec<PathBuf>, for_dialog: bool, ctx: &Context) -> io::Result<()> {
         self.stop_adding();
-        let (library, stop) = (Arc::clone(&self.library), Arc::new(AtomicBool::new(false)));
+        let (library, stop) = (self.library.clone(), Arc::new(AtomicBool::new(false)));
         let stopped = Arc::clone(&stop);
         let task = Task::start("luch-models", ctx, move || {
-            let mut library = library.lock().unwrap_or_else(PoisonError::into_inner);
             let (mut added, mut report) = (Added::default(), Report::default());
             let mut budget = Budget::default().cancelled_by(stopped);
-            for path in paths {
-                match load_model(&path, &mut library, &mut budget, &mut report) {
-                    Ok(model) => added.models.push(model),
-                    Err(error) => added.errors.push(error),
+            library.read(|library| {
+                for path in paths {
+                    match load_model(&path, library, &mut budget, &mut report) {
+                        Ok(model) => added.models.push(model),
+                        Err(error) => added.errors.push(error),
+                    }
                 }
-            }
+            });
             added.warnings = report.lines();
             added
         })?;
-        self.adding = Some(Adding { task, stop });
+        self.adding = Some(Adding { task, for_dialog, stop });
         Ok(())
     }
 
@@ -257,6 +269,13 @@ impl Files {
     /// Whether models are being read.
     pub(crate) const fn is_adding(&self) -> bool {
         self.adding.is_some()
+    }
+
+    /// Stops reading what a dialog asked for.
+    pub(crate) fn stop_adding_for_dialog(&mut self) {
+        if self.adding.as_ref().is_some_and(|adding| adding.for_dialog) {
+            self.stop_adding();
+        }
     }
 
     pub(crate) fn stop_adding(&mut self) {
@@ -283,6 +302,12 @@ impl Files {
             });
         }
     }
+}
+
+/// An error as the window tells it: hints about flags are for the command line.
+pub(crate) fn told(mut error: Error) -> String {
+    error.hint = error.hint.filter(|hint| !hint.contains("--"));
+    error.to_string()
 }
 
 impl Drop for Files {

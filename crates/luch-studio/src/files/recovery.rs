@@ -10,11 +10,14 @@ use luch_io::{Error, Report, SceneSource};
 use luch_scene::Scene;
 use std::io;
 use std::path::PathBuf;
-use std::sync::{Arc, PoisonError};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 /// How long a change is at risk.
 const EVERY: Duration = Duration::from_secs(20);
+/// How soon it is tried again after it failed, at the earliest.
+const RETRY: Duration = Duration::from_secs(1);
 
 /// What keeps scenes safe. Without a data folder it does nothing.
 #[derive(Debug)]
@@ -26,13 +29,22 @@ pub(crate) struct Recovery {
     keeping: Option<Task<Result<Arc<RecoveryFolder>, Error>>>,
     /// The state that is safe.
     kept: Option<Stamp>,
+    /// Whether the last time failed.
+    failing: bool,
     /// When the next one is due.
     due: Option<Instant>,
     searching: Option<Task<Vec<Recoverable>>>,
     found: Vec<Arc<Recoverable>>,
-    recovering: Option<Task<Recovered>>,
+    recovering: Option<Recovering>,
     /// What was recovered, until the scene is safe in this program's own folder.
     adopted: Option<Arc<Recoverable>>,
+}
+
+/// A scene being read back.
+#[derive(Debug)]
+struct Recovering {
+    task: Task<Recovered>,
+    stop: Arc<AtomicBool>,
 }
 
 /// A scene that was read back.
@@ -54,6 +66,7 @@ impl Recovery {
             folder: None,
             keeping: None,
             kept: None,
+            failing: false,
             due: None,
             searching,
             found: Vec::new(),
@@ -78,7 +91,8 @@ impl Recovery {
         let stamp = document.stamp();
         if !document.is_changed() {
             self.due = None;
-            return if self.kept.take().is_some() { self.clear(ctx) } else { Ok(()) };
+            let left = self.kept.take().is_some() || std::mem::take(&mut self.failing);
+            return if left { self.clear(ctx) } else { Ok(()) };
         }
         if self.kept == Some(stamp) {
             return Ok(());
@@ -101,11 +115,10 @@ impl Recovery {
 
     fn keep(&mut self, scene: Arc<Scene>, source: Option<SceneSource>, ctx: &Context) -> io::Result<()> {
         let Some(data) = self.data.clone() else { return Ok(()) };
-        let (folder, library) = (self.folder.clone(), Arc::clone(&self.library));
+        let (folder, library) = (self.folder.clone(), self.library.clone());
         let keep = move || {
             let folder = folder.map_or_else(|| RecoveryFolder::create(&data).map(Arc::new), Ok)?;
-            let library = library.lock().unwrap_or_else(PoisonError::into_inner);
-            folder.save(&scene, source.as_ref(), &library)?;
+            folder.save(&scene, source.as_ref(), &library.lock())?;
             Ok(folder)
         };
         self.keeping = Some(Task::start("luch-keep", ctx, keep)?);
@@ -133,14 +146,22 @@ impl Recovery {
         match kept {
             Ok(Ok(folder)) => {
                 self.folder = Some(folder);
+                self.failing = false;
                 if let Some(adopted) = self.adopted.take().filter(|_| self.kept.is_some()) {
                     adopted.discard();
                 }
                 None
             }
-            Ok(Err(error)) => Some(error.to_string()),
-            Err(message) => Some(message),
+            Ok(Err(error)) => self.failed(error.to_string()),
+            Err(message) => self.failed(message),
         }
+    }
+
+    /// Nothing is safe: it is tried again, and told once until it succeeds.
+    fn failed(&mut self, message: String) -> Option<String> {
+        self.kept = None;
+        self.due = Some(Instant::now() + self.every.max(RETRY));
+        (!std::mem::replace(&mut self.failing, true)).then_some(message)
     }
 
     /// The scenes that can be recovered.
@@ -148,9 +169,12 @@ impl Recovery {
         &self.found
     }
 
-    /// Leaves what was found to the next start of the program.
+    /// Leaves what was found to the next start of the program, also what is being read.
     pub(crate) fn leave(&mut self) {
         self.found.clear();
+        if let Some(recovering) = self.recovering.take() {
+            recovering.stop.store(true, Ordering::Relaxed);
+        }
     }
 
     /// Removes one that was found.
@@ -166,14 +190,14 @@ impl Recovery {
     /// If the system gives no thread.
     pub(crate) fn recover(&mut self, index: usize, ctx: &Context) -> io::Result<()> {
         let Some(from) = self.found.get(index).cloned() else { return Ok(()) };
-        let library = Arc::clone(&self.library);
+        let (library, stop) = (self.library.clone(), Arc::new(AtomicBool::new(false)));
+        let mut budget = Budget::default().cancelled_by(Arc::clone(&stop));
         let read = move || {
             let mut report = Report::default();
-            let mut library = library.lock().unwrap_or_else(PoisonError::into_inner);
-            let scene = from.load(&mut library, &mut Budget::default(), &mut report);
+            let scene = library.read(|library| from.load(library, &mut budget, &mut report));
             Recovered { from: Arc::clone(&from), scene, warnings: report.lines() }
         };
-        self.recovering = Some(Task::start("luch-recovery", ctx, read)?);
+        self.recovering = Some(Recovering { task: Task::start("luch-recovery", ctx, read)?, stop });
         Ok(())
     }
 
@@ -184,7 +208,7 @@ impl Recovery {
 
     /// What was read, once.
     pub(crate) fn recovered(&mut self) -> Option<Result<Recovered, String>> {
-        let answer = self.recovering.as_ref()?.poll()?;
+        let answer = self.recovering.as_ref()?.task.poll()?;
         self.recovering = None;
         Some(answer)
     }
@@ -213,12 +237,8 @@ impl Recovery {
         if !document.is_changed() {
             return self.end();
         }
-        // A thread that holds the library may be what panicked, or take long: the scene of the last time has to do.
-        let library = match self.library.try_lock() {
-            Ok(library) => library,
-            Err(std::sync::TryLockError::Poisoned(poisoned)) => poisoned.into_inner(),
-            Err(std::sync::TryLockError::WouldBlock) => return,
-        };
+        // A thread that holds the library may take long: then the scene of the last time has to do.
+        let Some(library) = self.library.try_lock() else { return };
         let folder = self.folder.take().map_or_else(|| RecoveryFolder::create(&data).map(Arc::new), Ok);
         // There is nobody left to tell.
         let _ = folder.and_then(|folder| folder.save(document.scene(), document.source.as_ref(), &library));

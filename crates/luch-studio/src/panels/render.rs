@@ -24,7 +24,7 @@ pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
         desk.send(Command::SetLive(live));
     }
     let status = desk.render.status();
-    let busy = status.phase != LivePhase::Idle || desk.loading.is_some();
+    let busy = status.phase != LivePhase::Idle || desk.loading.is_some() || desk.files.is_adding();
     ui.horizontal(|ui| {
         let width = ui.available_width();
         let cancel = 110.0;
@@ -51,6 +51,10 @@ fn progress(ui: &mut Ui, desk: &Desk<'_>, status: &LiveStatus) {
     let share = if status.total == 0 { 0.0 } else { status.done as f32 / status.total as f32 };
     let text = if desk.loading.is_some() {
         texts.scene_loading()
+    } else if desk.files.is_adding() {
+        texts.files_reading()
+    } else if desk.files.is_saving() {
+        texts.files_saving()
     } else if desk.state.pending {
         texts.changes_wait()
     } else {

@@ -3,7 +3,7 @@
 use super::Studio;
 use crate::command::Command;
 use crate::dialogs::Dialog;
-use crate::files::{Export, ExportEnd, ExportForm, Purpose, shown};
+use crate::files::{Export, ExportEnd, ExportForm, Purpose, shown, told};
 use crate::notices::Severity;
 use crate::render_link;
 use egui::Context;
@@ -35,8 +35,7 @@ impl Studio {
         // As soon as there is something to watch, the dialog is done; later ones are about something else.
         export.dismissed |= export.share().is_some();
         let done = export.dismissed;
-        let asks = self.asks_for(Purpose::Export) || matches!(self.state.dialog, Some(Dialog::Replace { .. }));
-        let asks = asks && !dismissed;
+        let asks = self.asks_for(Purpose::Export) && !dismissed;
         if asks && done {
             self.close_dialog(ctx);
         }
@@ -51,14 +50,16 @@ impl Studio {
             ExportEnd::Cancelled => {
                 return self.state.notices.add(Severity::Done, self.texts.notice_export_cancelled(), path);
             }
+            ExportEnd::Exists if !asks => return,
             ExportEnd::Exists => {
+                let purpose = Purpose::Export;
                 let replace = Command::Export(Box::new(ExportForm { replace: true, ..form.clone() }));
                 let back = Command::Show(Dialog::Export);
                 let (replace, back) = (Box::new(replace), Box::new(back));
-                self.state.dialog = Some(Dialog::Replace { path: form.path, replace, back });
+                self.state.dialog = Some(Dialog::Replace { purpose, path: form.path, replace, back });
                 return;
             }
-            ExportEnd::Failed(error) => (self.texts.notice_not_exported(), error.to_string()),
+            ExportEnd::Failed(error) => (self.texts.notice_not_exported(), told(error)),
             ExportEnd::Internal(message) => (self.texts.notice_internal(), message),
         };
         if asks {

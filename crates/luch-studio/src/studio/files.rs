@@ -4,7 +4,7 @@ use super::{Studio, scenes};
 use crate::command::Command;
 use crate::dialogs::{self, Dialog};
 use crate::document::Document;
-use crate::files::{Purpose, SaveEnd, SaveOrder};
+use crate::files::{Purpose, SaveEnd, SaveOrder, told};
 use crate::loader::{LoadFailure, Loaded};
 use crate::notices::{Severity, drawable};
 use egui::{Context, ViewportCommand};
@@ -15,10 +15,11 @@ use std::sync::Arc;
 impl Studio {
     /// Does what would lose unsaved changes, or asks first.
     pub(super) fn unless_unsaved(&mut self, command: Command, ctx: &Context) {
-        if self.state.document.is_worth_asking() {
+        // What is being written is no more unsaved in a moment, or it is told why not.
+        if self.files.is_saving() {
+            self.files.after_saving(Some(command));
+        } else if self.state.document.is_worth_asking() {
             self.open_dialog(Dialog::Unsaved(Box::new(command)), ctx);
-        } else if command == Command::Quit && self.files.export.is_some() {
-            self.open_dialog(Dialog::StopExport, ctx);
         } else {
             self.replace_scene(command, ctx);
         }
@@ -27,17 +28,21 @@ impl Studio {
     /// Does what puts another scene in place of the one at hand, saved or not.
     pub(super) fn replace_scene(&mut self, command: Command, ctx: &Context) {
         match command {
-            Command::New => self.replace(Document::untitled(scenes::new(&self.texts), None, false)),
+            Command::New => {
+                self.loader.stop();
+                self.replace(Document::untitled(scenes::new(&self.texts), None, false), ctx);
+            }
             Command::Open(source) => self.load(ctx, source),
             Command::OpenDialog => self.open_dialog(Dialog::Path { purpose: Purpose::Open, then: None }, ctx),
             Command::Recover(index) => {
+                self.loader.stop();
+                // Nothing can be changed until the scene is there.
+                self.state.dialog = Some(Dialog::Recover);
                 let started = self.files.recovery.recover(index, ctx);
                 self.tell_internal(started);
             }
-            Command::Quit => {
-                self.leaving = true;
-                ctx.send_viewport_cmd(ViewportCommand::Close);
-            }
+            Command::Quit if self.files.export.is_some() => self.open_dialog(Dialog::StopExport, ctx),
+            Command::Quit => self.leave(ctx),
             // Nothing else is asked about.
             _ => {}
         }
@@ -48,7 +53,8 @@ impl Studio {
         if !ctx.input(|i| i.viewport().close_requested()) || self.leaving {
             return;
         }
-        if self.state.document.is_worth_asking() || self.files.export.is_some() {
+        let goes_on = self.files.export.is_some() || self.files.is_saving();
+        if self.state.document.is_worth_asking() || goes_on {
             ctx.send_viewport_cmd(ViewportCommand::CancelClose);
             self.unless_unsaved(Command::Quit, ctx);
         }
@@ -66,28 +72,55 @@ impl Studio {
         dialogs::forget(ctx);
     }
 
-    /// Closes the dialog because somebody wants nothing of it.
+    /// Closes the dialog because somebody wants nothing of it: what it waits for is stopped.
     pub(super) fn leave_dialog(&mut self, ctx: &Context) {
-        if self.state.dialog == Some(Dialog::Recover) {
-            if self.files.recovery.is_recovering() {
-                return;
-            }
+        match &self.state.dialog {
             // What was not decided about is offered at the next start.
-            self.files.recovery.leave();
+            Some(Dialog::Recover) => self.files.recovery.leave(),
+            Some(Dialog::Path { purpose: Purpose::Open, .. }) if self.loading_for_dialog => self.loader.stop(),
+            Some(Dialog::Path { purpose: Purpose::AddModel, .. }) => self.files.stop_adding_for_dialog(),
+            // The file may be half written: it is finished, but nothing follows.
+            Some(Dialog::Path { purpose: Purpose::Save, .. }) => _ = self.files.after_saving(None),
+            Some(Dialog::Export) => {
+                if let Some(export) = self.files.export.as_mut().filter(|export| !export.dismissed) {
+                    export.dismissed = true;
+                    export.cancel();
+                }
+            }
+            _ => {}
         }
         self.close_dialog(ctx);
+    }
+
+    /// Closes the window, whatever goes on.
+    pub(super) fn leave(&mut self, ctx: &Context) {
+        self.leaving = true;
+        ctx.send_viewport_cmd(ViewportCommand::Close);
+    }
+
+    /// Closes what asks about a scene that is at hand no more.
+    pub(super) fn close_dialog_of_scene(&mut self, ctx: &Context) {
+        let of_scene = match &self.state.dialog {
+            Some(Dialog::Path { purpose, .. } | Dialog::Replace { purpose, .. }) => purpose.writes(),
+            Some(Dialog::Export | Dialog::RenameCamera(_) | Dialog::Unsaved(_)) => true,
+            _ => false,
+        };
+        if of_scene {
+            self.close_dialog(ctx);
+        }
     }
 
     /// Whether the dialog asks for a path of that purpose.
     pub(super) fn asks_for(&self, purpose: Purpose) -> bool {
         match &self.state.dialog {
-            Some(Dialog::Path { purpose: asked, .. }) => *asked == purpose,
+            Some(Dialog::Path { purpose: asked, .. } | Dialog::Replace { purpose: asked, .. }) => *asked == purpose,
             Some(Dialog::Export) => purpose == Purpose::Export,
             _ => false,
         }
     }
 
     pub(super) fn load(&mut self, ctx: &Context, source: SceneSource) {
+        self.loading_for_dialog = self.asks_for(Purpose::Open);
         let (wake, over) = (ctx.clone(), self.state.document.stamp());
         let started = self.loader.start(source, over, move || wake.request_repaint());
         self.tell_internal(started);
@@ -105,7 +138,7 @@ impl Studio {
         match scene {
             // Somebody went on working while a large file was read.
             Ok(_) if over != self.state.document.stamp() && self.state.document.is_worth_asking() => {
-                self.open_dialog(Dialog::Unsaved(Box::new(Command::Open(source))), ctx);
+                self.unless_unsaved(Command::Open(source), ctx);
             }
             Ok(mut scene) => {
                 if scene.cameras.is_empty() {
@@ -117,7 +150,7 @@ impl Studio {
                 if self.asks_for(Purpose::Open) {
                     self.close_dialog(ctx);
                 }
-                self.replace(Document::opened(scene, source));
+                self.replace(Document::opened(scene, source), ctx);
                 if !warnings.is_empty() {
                     let title = self.texts.notice_loaded_with_warnings();
                     self.state.notices.add(Severity::Warning, title, warnings.join("\n"));
@@ -128,7 +161,7 @@ impl Studio {
                     self.state.preferences.forget(path);
                 }
                 let (title, text) = match failure {
-                    LoadFailure::File(error) => (self.texts.notice_not_loaded(), error.to_string()),
+                    LoadFailure::File(error) => (self.texts.notice_not_loaded(), told(error)),
                     LoadFailure::Internal(message) => (self.texts.notice_internal(), message),
                 };
                 self.complain(Purpose::Open, title, text);
@@ -165,10 +198,9 @@ impl Studio {
 
     fn take_saved(&mut self, order: SaveOrder, end: SaveEnd, ctx: &Context) {
         let SaveOrder { scene, stamp, path, then, .. } = order;
-        let asked = || matches!(self.state.dialog, Some(Dialog::Replace { .. }));
         let (title, text) = match end {
             SaveEnd::Written(saved) => {
-                if asked() || self.asks_for(Purpose::Save) {
+                if self.asks_for(Purpose::Save) {
                     self.close_dialog(ctx);
                 }
                 self.state.document.saved(stamp, &scene, &path, &saved);
@@ -181,17 +213,21 @@ impl Studio {
                 }
                 return;
             }
+            // Who has closed the dialog does not want it any more.
+            SaveEnd::Exists if !self.asks_for(Purpose::Save) => return,
             SaveEnd::Exists => {
+                let purpose = Purpose::Save;
                 let replace = Command::SaveTo { path: path.clone(), replace: true, then: then.clone() };
-                let back = Command::Show(Dialog::Path { purpose: Purpose::Save, then });
+                let back = Command::Show(Dialog::Path { purpose, then });
                 // What was typed stays: another name may differ in a letter.
-                self.state.dialog = Some(Dialog::Replace { path, replace: Box::new(replace), back: Box::new(back) });
+                let (replace, back) = (Box::new(replace), Box::new(back));
+                self.state.dialog = Some(Dialog::Replace { purpose, path, replace, back });
                 return;
             }
-            SaveEnd::Failed(error) => (self.texts.notice_not_saved(), error.to_string()),
+            SaveEnd::Failed(error) => (self.texts.notice_not_saved(), told(error)),
             SaveEnd::Internal(message) => (self.texts.notice_internal(), message),
         };
-        if asked() {
+        if self.asks_for(Purpose::Save) {
             self.state.dialog = Some(Dialog::Path { purpose: Purpose::Save, then });
         }
         self.complain(Purpose::Save, title, text);

@@ -3,7 +3,7 @@
 use super::{Studio, scenes};
 use crate::dialogs::Dialog;
 use crate::document::Document;
-use crate::files::Recovered;
+use crate::files::{Recovered, told};
 use crate::notices::Severity;
 use egui::Context;
 
@@ -34,7 +34,7 @@ impl Studio {
                 }
                 let source = from.source().cloned();
                 self.close_dialog(ctx);
-                self.replace(Document::untitled(scene, source, true));
+                self.replace(Document::untitled(scene, source, true), ctx);
                 self.files.recovery.adopt(from);
                 if !warnings.is_empty() {
                     let title = self.texts.notice_loaded_with_warnings();
@@ -42,7 +42,7 @@ impl Studio {
                 }
             }
             // It stays where it is: the file that it needs may come back.
-            Err(error) => self.state.complaint = Some(crate::notices::drawable(&error.to_string())),
+            Err(error) => self.state.complaint = Some(crate::notices::drawable(&told(error))),
         }
     }
 

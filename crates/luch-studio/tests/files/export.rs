@@ -3,6 +3,7 @@
 use crate::desk::{BALL, Folder, studio_with};
 use crate::support::Desk;
 use egui::{Key, Modifiers};
+use egui_kittest::kittest::Queryable;
 use luch_io::{Metadata, PictureSettings, Pixels, linear_hash};
 use luch_render::film::color_bar;
 use luch_render::film::tonemap::{srgb8, srgb16};
@@ -70,14 +71,12 @@ fn each_kind_of_file_is_what_a_render_of_the_scene_writes() {
 
 impl Desk {
     fn choose_kind(&mut self, kind: &str) {
-        use egui_kittest::kittest::Queryable;
         self.harness.get_by_role_and_label(egui::accesskit::Role::RadioButton, kind).click();
         self.settle();
     }
 
     /// Types into the last field of that name: the dialog's.
     fn type_last(&mut self, name: &str, text: &str) {
-        use egui_kittest::kittest::Queryable;
         let role = egui::accesskit::Role::TextInput;
         self.harness.query_all_by_role_and_label(role, name).last().unwrap().click();
         self.steps(2);
@@ -89,7 +88,6 @@ impl Desk {
     }
 
     fn tick_last(&mut self, name: &str) {
-        use egui_kittest::kittest::Queryable;
         self.harness.query_all_by_role_and_label(egui::accesskit::Role::CheckBox, name).last().unwrap().click();
         self.settle();
     }
@@ -166,6 +164,27 @@ fn one_goes_on_working_and_can_cancel() {
     desk.press_top("Cancel the export");
     desk.wait(|desk| desk.says("The export was cancelled"));
     assert!(!folder.path("a.png").exists());
+}
+
+#[test]
+fn who_drops_changes_is_still_asked_about_the_picture_on_its_way() {
+    let folder = Folder::new();
+    let mut desk = studio_with(&folder.write("ball.toml", BALL));
+    desk.open_menu("File", "Export picture…");
+    for (name, value) in [("Picture width", "8000"), ("Picture height", "8000")] {
+        desk.type_last(name, value);
+    }
+    desk.tick_last("Antialiasing");
+    desk.type_last("Rays per pixel", "4096");
+    desk.enter_path(&folder.path("a.png"));
+    desk.wait(|desk| !desk.offers("Browse…"));
+    desk.alter();
+    desk.key(Modifiers::COMMAND, Key::Q);
+    desk.press_top("Do not save");
+    assert!(desk.says("Quit and drop it?") && !desk.is_closing());
+    desk.harness.get_by_role_and_label(egui::accesskit::Role::Button, "Quit").click();
+    desk.harness.step();
+    assert!(desk.is_closing());
 }
 
 #[test]

@@ -110,4 +110,8 @@ fn a_folder_that_cannot_be_written_is_told_and_the_work_goes_on() {
     desk.wait(|desk| desk.says("The changes cannot be kept safe"));
     desk.type_into("Field of view", "44");
     assert_eq!(desk.harness.state().scene().cameras[0].fov.get(), 44.0);
+    // As soon as it can be written, it is, without another change.
+    fs::remove_file(folder.path("no folder")).unwrap();
+    desk.wait(|_| !kept(&folder.path("no folder")).is_empty());
+    assert!(kept(&folder.path("no folder"))[0].contains("fov = 44.0"));
 }

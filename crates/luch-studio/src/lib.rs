@@ -24,6 +24,7 @@ mod state;
 mod studio;
 mod study;
 mod style;
+mod told;
 mod undo;
 mod view;
 mod viewport;

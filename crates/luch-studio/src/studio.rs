@@ -26,6 +26,7 @@ use crate::selection::{Anchor, Part};
 use crate::shortcuts;
 use crate::state::{Desk, State};
 use crate::study::{self, Outcome, StudyCommand, StudyDesk};
+use crate::told;
 use crate::undo::Gesture;
 use crate::view::View;
 use crate::viewport;
@@ -389,7 +390,10 @@ impl Studio {
                 self.state.view.stay_within(scene);
                 self.changed();
             }
-            Err(error) => self.state.notices.error(self.texts.notice_edit_refused(), error.to_string()),
+            Err(error) => {
+                let why = told::edit_error(&error, &self.texts);
+                self.state.notices.error(self.texts.notice_edit_refused(), why);
+            }
         }
     }
 

@@ -28,7 +28,7 @@ files-reading = Reading…
 no-system-dialog = No file dialog of the system answered. Type the path, or choose from the list.
 # $folder (String) - its path
 # $why (String) - what the system said
-folder-not-read = { $folder }: { $why }
+folder-not-read = The folder cannot be read: { $folder }: { $why }
 # $scene (String) - its name
 unsaved-question = The scene “{ $scene }” has changes that no file holds. Save them?
 # $path (String) - the file

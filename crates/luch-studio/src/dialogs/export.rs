@@ -8,6 +8,7 @@ use crate::files::{ExportForm, PictureKind, Purpose, TypedPath};
 use crate::l10n::Texts;
 use crate::render_link;
 use crate::state::{Desk, State};
+use crate::told;
 use crate::widgets::check::NumberFormat;
 use crate::widgets::number::NumberField;
 use crate::widgets::row;
@@ -62,7 +63,8 @@ pub(super) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
 
     let busy = desk.files.export.is_some();
     let too_large = job(desk, &choice).and_then(|job| ExportForm::too_large(kind, &job));
-    if let Some([needed, limit]) = &too_large {
+    if let Some(bytes) = too_large {
+        let [needed, limit] = bytes.map(|bytes| told::bytes(bytes, desk.state.preferences.language));
         row::complaint(ui, &texts.export_too_large(needed, limit));
     } else if let Some(export) = &desk.files.export {
         ui.weak(if export.dismissed { texts.export_busy() } else { texts.progress_preparing() });

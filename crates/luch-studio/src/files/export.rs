@@ -2,7 +2,7 @@
 
 use super::task::Task;
 use egui::Context;
-use luch_io::budget::{Budget, human_bytes};
+use luch_io::budget::Budget;
 use luch_io::{
     Error, Metadata, PictureFormat, PictureSettings, Pixels, check_writable, linear_hash, write_exr, write_png,
 };
@@ -69,12 +69,12 @@ impl ExportForm {
         job.memory_bytes().saturating_add(job.size.pixels().saturating_mul(kind.bytes_per_pixel()))
     }
 
-    /// What a picture would take and what there is, in words, if that is not enough.
-    pub(crate) fn too_large(kind: PictureKind, job: &RenderJob) -> Option<[String; 2]> {
+    /// Bytes that a picture would take and that there are, if that is not enough.
+    pub(crate) fn too_large(kind: PictureKind, job: &RenderJob) -> Option<[u64; 2]> {
         static LIMIT: OnceLock<u64> = OnceLock::new();
         let limit = *LIMIT.get_or_init(|| Budget::default().limit());
         let needed = Self::bytes(kind, job);
-        (needed > limit).then(|| [human_bytes(needed), human_bytes(limit)])
+        (needed > limit).then_some([needed, limit])
     }
 }
 

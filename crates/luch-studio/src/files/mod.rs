@@ -304,12 +304,6 @@ impl Files {
     }
 }
 
-/// An error as the window tells it: hints about flags are for the command line.
-pub(crate) fn told(mut error: Error) -> String {
-    error.hint = error.hint.filter(|hint| !hint.contains("--"));
-    error.to_string()
-}
-
 impl Drop for Files {
     fn drop(&mut self) {
         self.stop_adding();

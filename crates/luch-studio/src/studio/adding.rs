@@ -1,7 +1,7 @@
 //! Puts new things into the scene: shapes, lights, models, cameras.
 
 use super::Studio;
-use crate::files::{Added, Purpose, told};
+use crate::files::{Added, Purpose};
 use crate::notices::Severity;
 use crate::placement::{Addition, Spot};
 use crate::undo::Gesture;
@@ -33,7 +33,7 @@ impl Studio {
             Err(message) => return self.complain(Purpose::AddModel, self.texts.notice_internal(), message),
         };
         if !errors.is_empty() {
-            let text = errors.into_iter().map(told).collect::<Vec<_>>().join("\n");
+            let text = errors.into_iter().map(|error| self.file_error(error)).collect::<Vec<_>>().join("\n");
             self.complain(Purpose::AddModel, self.texts.notice_model_not_added(), text);
         } else if self.asks_for(Purpose::AddModel) {
             self.close_dialog(ctx);

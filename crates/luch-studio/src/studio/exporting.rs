@@ -3,7 +3,7 @@
 use super::Studio;
 use crate::command::Command;
 use crate::dialogs::Dialog;
-use crate::files::{Export, ExportEnd, ExportForm, Purpose, shown, told};
+use crate::files::{Export, ExportEnd, ExportForm, Purpose, shown};
 use crate::notices::Severity;
 use crate::render_link;
 use egui::Context;
@@ -59,7 +59,7 @@ impl Studio {
                 self.state.dialog = Some(Dialog::Replace { purpose, path: form.path, replace, back });
                 return;
             }
-            ExportEnd::Failed(error) => (self.texts.notice_not_exported(), told(error)),
+            ExportEnd::Failed(error) => (self.texts.notice_not_exported(), self.file_error(error)),
             ExportEnd::Internal(message) => (self.texts.notice_internal(), message),
         };
         if asks {

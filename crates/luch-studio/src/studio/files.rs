@@ -4,9 +4,10 @@ use super::{Studio, scenes};
 use crate::command::Command;
 use crate::dialogs::{self, Dialog};
 use crate::document::Document;
-use crate::files::{Purpose, SaveEnd, SaveOrder, told};
+use crate::files::{Purpose, SaveEnd, SaveOrder};
 use crate::loader::{LoadFailure, Loaded};
 use crate::notices::{Severity, drawable};
+use crate::told;
 use egui::{Context, ViewportCommand};
 use luch_io::SceneSource;
 use std::path::{Path, PathBuf};
@@ -161,12 +162,17 @@ impl Studio {
                     self.state.preferences.forget(path);
                 }
                 let (title, text) = match failure {
-                    LoadFailure::File(error) => (self.texts.notice_not_loaded(), told(error)),
+                    LoadFailure::File(error) => (self.texts.notice_not_loaded(), self.file_error(error)),
                     LoadFailure::Internal(message) => (self.texts.notice_internal(), message),
                 };
                 self.complain(Purpose::Open, title, text);
             }
         }
+    }
+
+    /// An error of a file, as the window tells it.
+    pub(super) fn file_error(&self, error: luch_io::Error) -> String {
+        told::file_error(error, self.state.preferences.language, &self.texts)
     }
 
     /// Says what went wrong: in the dialog that led to it, or as a notice.
@@ -224,7 +230,7 @@ impl Studio {
                 self.state.dialog = Some(Dialog::Replace { purpose, path, replace, back });
                 return;
             }
-            SaveEnd::Failed(error) => (self.texts.notice_not_saved(), told(error)),
+            SaveEnd::Failed(error) => (self.texts.notice_not_saved(), self.file_error(error)),
             SaveEnd::Internal(message) => (self.texts.notice_internal(), message),
         };
         if self.asks_for(Purpose::Save) {

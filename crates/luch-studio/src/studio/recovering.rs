@@ -3,7 +3,7 @@
 use super::{Studio, scenes};
 use crate::dialogs::Dialog;
 use crate::document::Document;
-use crate::files::{Recovered, told};
+use crate::files::Recovered;
 use crate::notices::Severity;
 use egui::Context;
 
@@ -42,7 +42,7 @@ impl Studio {
                 }
             }
             // It stays where it is: the file that it needs may come back.
-            Err(error) => self.state.complaint = Some(crate::notices::drawable(&told(error))),
+            Err(error) => self.state.complaint = Some(crate::notices::drawable(&self.file_error(error))),
         }
     }
 

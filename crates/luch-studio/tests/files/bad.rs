@@ -1,6 +1,7 @@
 //! Files that are wrong, vanish, or cannot be written: it is told what and where, and everything stays.
 
 use crate::desk::{BALL, Folder, TENT, studio, studio_with};
+use crate::support::{Desk, LANGUAGES};
 use egui::{Key, Modifiers};
 use std::fs;
 
@@ -103,4 +104,18 @@ fn names_that_are_no_utf_8_are_opened_from_the_list() {
     desk.alter();
     desk.key(Modifiers::COMMAND, Key::S);
     assert!(desk.says("The scene is saved"));
+}
+
+#[test]
+fn in_russian_it_is_said_what_the_details_are_about() {
+    let folder = Folder::new();
+    let mut desk = Desk::new(LANGUAGES[1]);
+    desk.key(Modifiers::COMMAND, Key::O);
+    for (path, about, detail) in [
+        (folder.path("nowhere.toml"), "Файла нет, или его нельзя прочитать:", "no such file"),
+        (folder.write("broken.toml", "luch = 1\nnome = 3\n"), "В файле ошибка:", "did you mean `name`"),
+    ] {
+        desk.type_into("Путь", &path.display().to_string());
+        assert!(desk.says(about) && desk.says(detail), "{}", path.display());
+    }
 }

@@ -142,7 +142,7 @@ fn one_goes_on_working_and_can_cancel() {
     let folder = Folder::new();
     let mut desk = studio_with(&folder.write("ball.toml", BALL));
     desk.open_menu("File", "Export picture…");
-    for (name, value) in [("Picture width", "8000"), ("Picture height", "8000")] {
+    for (name, value) in [("Picture width", "3000"), ("Picture height", "3000")] {
         desk.type_last(name, value);
     }
     desk.tick_last("Antialiasing");
@@ -171,7 +171,7 @@ fn who_drops_changes_is_still_asked_about_the_picture_on_its_way() {
     let folder = Folder::new();
     let mut desk = studio_with(&folder.write("ball.toml", BALL));
     desk.open_menu("File", "Export picture…");
-    for (name, value) in [("Picture width", "8000"), ("Picture height", "8000")] {
+    for (name, value) in [("Picture width", "3000"), ("Picture height", "3000")] {
         desk.type_last(name, value);
     }
     desk.tick_last("Antialiasing");

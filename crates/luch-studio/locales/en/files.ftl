@@ -56,7 +56,7 @@ drop-model = Drop to add the model; with Shift held, to open it alone
 drop-model-alone = Drop to open the model alone
 drop-anything = Drop to open a scene or to add a model
 drop-nothing = Only scenes (.toml) and models (.obj) can be opened
-notice-not-opened = Not opened: one scene at a time, and only .toml and .obj files
+notice-not-opened = Not opened: one scene (.toml) or models (.obj) can be opened
 
 ## Pictures for files
 command-export = Export picture…
@@ -76,7 +76,7 @@ notice-exported = The picture is exported
 notice-not-exported = The picture was not exported
 notice-export-cancelled = The export was cancelled
 dialog-stop-export = A picture is on its way
-stop-export-question = A picture is being made for a file. Quit and drop it?
+stop-export-question = A picture for a file is not finished. Quit without it?
 button-quit = Quit
 
 ## Recovery
@@ -86,23 +86,23 @@ button-recover = Recover
 button-discard = Discard
 button-later = Later
 button-later-tip = They are offered again at the next start
-ago-moments = Kept less than a minute ago
+ago-moments = Saved by Luch less than a minute ago
 # $minutes (Number) - full ones
 ago-minutes = { $minutes ->
-    [one] Kept { $minutes } minute ago
-   *[other] Kept { $minutes } minutes ago
+    [one] Saved by Luch { $minutes } minute ago
+   *[other] Saved by Luch { $minutes } minutes ago
 }
 # $hours (Number) - full ones
 ago-hours = { $hours ->
-    [one] Kept { $hours } hour ago
-   *[other] Kept { $hours } hours ago
+    [one] Saved by Luch { $hours } hour ago
+   *[other] Saved by Luch { $hours } hours ago
 }
 # $days (Number) - full ones
 ago-days = { $days ->
-    [one] Kept { $days } day ago
-   *[other] Kept { $days } days ago
+    [one] Saved by Luch { $days } day ago
+   *[other] Saved by Luch { $days } days ago
 }
-notice-not-kept = The changes cannot be kept safe: save the scene
+notice-not-kept = Autosave failed: save the scene
 
 ## Cameras
 camera-menu = Cameras: add, rename, remove

@@ -7,7 +7,7 @@ menu-view = View
 menu-help = Help
 menu-theme = Theme
 menu-language = Language / Язык
-theme-system = As the system
+theme-system = Same as the system
 theme-light = Light
 theme-dark = Dark
 command-new = New scene
@@ -175,7 +175,7 @@ input-no-number = “{ $text }” is not a number
 input-no-whole-number = “{ $text }” is not a whole number
 # $low (String) - least
 # $high (String) - most
-input-out-of-range = Not from { $low } to { $high }
+input-out-of-range = Must be from { $low } to { $high }
 # $text (String) - what was typed
 input-no-color = “{ $text }” is not a color like #c83232
 
@@ -186,7 +186,7 @@ notice-loaded-with-warnings = The scene was loaded, with warnings
 notice-saved = The scene is saved
 notice-not-saved = The scene was not saved
 notice-edit-refused = The change was refused
-notice-render-failed = The picture failed; the last one stays
+notice-render-failed = Rendering failed; the picture before is shown
 notice-internal = An error inside the program; your scene is kept
 new-scene-name = New scene
 new-lamp-name = Lamp
@@ -200,7 +200,7 @@ about-version = Version
 about-simd = Instruction set
 about-cores = Cores
 about-triangles = Triangles in the scene
-about-license = Licence
+about-license = License
 about-bits = The same scene gives the same bits on every run, with any number of threads.
 shortcuts-mouse = Mouse in the picture
 shortcuts-keys = Keys

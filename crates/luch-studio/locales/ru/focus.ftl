@@ -1,8 +1,8 @@
 ## Фокус
 focus-distance = Расстояние { $distance }
 focus-nothing = Здесь ничего нет
-focus-blur = Размытие { $pixels } пкс
-focus-blur-if-on = Размытие { $pixels } пкс, если включить глубину поля
+focus-blur = Размытие { $pixels } пикс.
+focus-blur-if-on = Размытие { $pixels } пикс., если включить глубину поля
 focus-closed = Резко всё: радиус объектива 0
 notice-focus-is-set = Фокусное расстояние задано
 notice-focus-without-depth-of-field = Глубина поля выключена, поэтому резко всё: включите её в «Параметрах сцены».

@@ -23,4 +23,4 @@ legend-depth = Расстояние
 legend-near = у глаза
 legend-half = размер сцены
 legend-far = вдали
-legend-normal = Обращены по
+legend-normal = Нормаль вдоль

@@ -158,7 +158,7 @@ fn one_goes_on_working_and_can_cancel() {
     desk.press_top("Cancel");
     desk.open_menu("File", "Save");
     desk.key(Modifiers::COMMAND, Key::Q);
-    assert!(desk.says("Quit and drop it?"));
+    assert!(desk.says("Quit without it?"));
     desk.press_top("Cancel");
     assert!(!desk.is_closing());
     desk.press_top("Cancel the export");
@@ -181,7 +181,7 @@ fn who_drops_changes_is_still_asked_about_the_picture_on_its_way() {
     desk.alter();
     desk.key(Modifiers::COMMAND, Key::Q);
     desk.press_top("Do not save");
-    assert!(desk.says("Quit and drop it?") && !desk.is_closing());
+    assert!(desk.says("Quit without it?") && !desk.is_closing());
     desk.harness.get_by_role_and_label(egui::accesskit::Role::Button, "Quit").click();
     desk.harness.step();
     assert!(desk.is_closing());

@@ -107,7 +107,7 @@ fn a_folder_that_cannot_be_written_is_told_and_the_work_goes_on() {
     let folder = Folder::new();
     let mut desk = careful(&folder.write("no folder", ""), None);
     desk.type_into("Field of view", "33");
-    desk.wait(|desk| desk.says("The changes cannot be kept safe"));
+    desk.wait(|desk| desk.says("Autosave failed"));
     desk.type_into("Field of view", "44");
     assert_eq!(desk.harness.state().scene().cameras[0].fov.get(), 44.0);
     // As soon as it can be written, it is, without another change.

@@ -9,9 +9,11 @@ mod command;
 mod dialogs;
 mod document;
 mod explain;
+mod figures;
 mod files;
 mod l10n;
 mod loader;
+mod milestone;
 mod notices;
 mod panels;
 mod panics;
@@ -31,6 +33,7 @@ mod viewport;
 mod widgets;
 
 pub use files::{ChooseFile, FileQuestion};
+pub use milestone::Milestone;
 pub use studio::{Start, Studio};
 
 /// The name under which the system keeps the window's preferences.

@@ -4,6 +4,7 @@ use crate::command::{Command, Tool, Zoom};
 use crate::dialogs::Dialog;
 use crate::document::Document;
 use crate::explain::Explain;
+use crate::figures::Figures;
 use crate::files::Files;
 use crate::l10n::Texts;
 use crate::notices::Notices;
@@ -39,6 +40,7 @@ pub(crate) struct State {
     pub(crate) exported_to: Option<PathBuf>,
     /// Whether a person who has not read the hints of the first run is to see them.
     pub(crate) hints: bool,
+    pub(crate) figures: Figures,
     /// Whether there are changes that no picture shows, because live update is off.
     pub(crate) pending: bool,
 }

@@ -15,9 +15,11 @@ use crate::command::Command;
 use crate::dialogs::{self, Dialog};
 use crate::document::Document;
 use crate::explain::{Copier, Explain, Explainer};
+use crate::figures::Figures;
 use crate::files::{ChooseFile, Files, Purpose, Recovery};
 use crate::l10n::{self, Texts};
 use crate::loader::Loader;
+use crate::milestone::{Milestone, Milestones};
 use crate::notices::{Notices, Severity};
 use crate::panels;
 use crate::preferences::Preferences;
@@ -55,6 +57,10 @@ pub struct Start {
     pub data_dir: Option<PathBuf>,
     /// How long a change may wait until it is safe; `None`: 20 seconds.
     pub keep_every: Option<Duration>,
+    /// Whether to show the same times and figures of the machine every time: for pictures of the window.
+    pub still: bool,
+    /// Is told when the window and its first pictures are there.
+    pub milestone: Option<fn(Milestone)>,
 }
 
 /// The window's application.
@@ -75,6 +81,7 @@ pub struct Studio {
     leaving: bool,
     /// What the window's frame says.
     title: String,
+    milestones: Milestones,
 }
 
 impl Studio {
@@ -86,6 +93,10 @@ impl Studio {
         let mut preferences = Preferences::load(creation.storage);
         if let Some(language) = start.language.as_deref().and_then(l10n::of_tag) {
             preferences.language = language;
+        }
+        let figures = if start.still { Figures::Still } else { Figures::Measured };
+        if start.still {
+            preferences.threads = Some(Figures::STILL_CORES);
         }
         creation.egui_ctx.set_theme(preferences.theme);
         crate::style::apply(&creation.egui_ctx);
@@ -103,6 +114,7 @@ impl Studio {
             complaint: None,
             exported_to: None,
             hints: start.hints,
+            figures,
             pending: false,
             study: StudyDesk::default(),
             preferences,
@@ -125,6 +137,7 @@ impl Studio {
             stale: true,
             leaving: false,
             title: String::new(),
+            milestones: Milestones::new(start.milestone),
         };
         if let Some(source) = start.scene.filter(|source| *source != SceneSource::BuiltIn(scenes::FIRST)) {
             studio.load(&creation.egui_ctx, source);
@@ -408,6 +421,7 @@ impl Studio {
 
 impl eframe::App for Studio {
     fn logic(&mut self, ctx: &Context, _frame: &mut eframe::Frame) {
+        self.milestones.tell();
         self.take_in(ctx);
         self.answer_close(ctx);
     }
@@ -438,6 +452,7 @@ impl eframe::App for Studio {
         self.ask();
         self.keep_safe(&ctx);
         self.show_title(&ctx);
+        self.milestones.note(&self.render, &ctx);
         self.schedule(&ctx);
     }
 

@@ -28,6 +28,9 @@ pub(crate) struct Cli {
     /// Open the studio with this scene: built in, a scene file (.toml) or a model (.obj) [default: two-spheres]
     #[arg(value_name = "SCENE")]
     pub(crate) scene: Option<PathBuf>,
+    /// Tell on standard error how long the studio's window and its first pictures took to appear
+    #[arg(long)]
+    pub(crate) times: bool,
     #[command(subcommand)]
     pub(crate) command: Option<Command>,
 }

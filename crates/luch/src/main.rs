@@ -18,6 +18,7 @@ mod values;
 
 use clap::Parser;
 use std::process::ExitCode;
+use std::time::Instant;
 
 fn main() -> ExitCode {
     ExitCode::from(exit::guarded(program))
@@ -25,6 +26,7 @@ fn main() -> ExitCode {
 
 /// Does what the command line says and answers with the exit code.
 fn program() -> u8 {
+    let started = Instant::now();
     let cli = match args::Cli::try_parse() {
         Ok(cli) => cli,
         Err(refusal) => {
@@ -34,7 +36,7 @@ fn program() -> u8 {
         }
     };
     let outcome = match cli.command {
-        None => run::studio::run(cli.scene.as_deref()),
+        None => run::studio::run(cli.scene.as_deref(), cli.times, started),
         Some(command) => run::run(command),
     };
     match outcome {

@@ -56,6 +56,11 @@ pub(crate) fn warning(text: &str) {
     message("warning", "1;33", text);
 }
 
+/// Tells the user a fact on stderr.
+pub(crate) fn note(text: &str) {
+    let _ = writeln!(io::stderr().lock(), "{}", printable(text));
+}
+
 fn message(label: &str, color: &str, text: &str) {
     let mut err = io::stderr().lock();
     let label = if is_colored(&err) { format!("\x1b[{color}m{label}:\x1b[0m") } else { format!("{label}:") };

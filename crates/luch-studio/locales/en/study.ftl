@@ -12,6 +12,7 @@ study-rays-values = Rays per pixel
 study-tiles-values = Sides of tiles, pixels
 study-runs = Runs of each
 study-size-wrong = Width and height are from 1 to 65535 pixels
+study-nothing-yet = Plots and sentences of what is measured appear here as they grow, to be saved as a report.
 study-start = Start measuring
 study-stop = Stop
 study-hands-off = Whatever else the machine does meanwhile is measured too: best leave it alone.

@@ -1,20 +1,18 @@
 //! The version and the facts of the renderer.
 
 use super::close_button;
-use crate::preferences::cores;
 use crate::state::Desk;
 use egui::Ui;
-use luch_render::SimdLevel;
 
 pub(super) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
     let texts = desk.texts;
     ui.label(texts.about_what());
     ui.add_space(6.0);
-    let scene = desk.scene();
+    let (scene, figures) = (desk.scene(), desk.state.figures);
     let facts = [
         (texts.about_version(), env!("CARGO_PKG_VERSION").to_owned()),
-        (texts.about_simd(), SimdLevel::Auto.resolved().word().to_owned()),
-        (texts.about_cores(), cores().to_string()),
+        (texts.about_simd(), figures.simd().to_owned()),
+        (texts.about_cores(), figures.cores().to_string()),
         (texts.about_triangles(), scene.triangle_count().to_string()),
         (texts.about_license(), env!("CARGO_PKG_LICENSE").to_owned()),
     ];

@@ -14,7 +14,7 @@ use crate::command::Command;
 use crate::files::Purpose;
 use crate::l10n::Texts;
 use crate::state::Desk;
-use egui::{Button, Context, Frame, Id, Modal};
+use egui::{Button, Context, Frame, Id, Modal, RichText};
 use std::path::PathBuf;
 
 /// A dialog. What is typed into it is its own business; only what is decided becomes a command.
@@ -86,9 +86,9 @@ pub(crate) fn show(ctx: &Context, desk: &mut Desk<'_>) {
     let title = dialog.label(desk.texts);
     let frame = Frame::popup(&ctx.global_style()).inner_margin(14);
     let response = Modal::new(Id::unique("dialog")).frame(frame).show(ctx, |ui| {
-        ui.set_max_width(560.0);
+        ui.set_max_width(if dialog == Dialog::Shortcuts { shortcuts::WIDTH } else { 560.0 });
         // In a menu the dots say that a dialog comes; here it is.
-        ui.heading(title.trim_end_matches('…'));
+        ui.label(RichText::new(title.trim_end_matches('…')).heading().strong());
         ui.separator();
         match &dialog {
             Dialog::About => about::show(ui, desk),
@@ -123,7 +123,7 @@ fn two_buttons(ui: &mut egui::Ui, yes: &str, enabled: bool, no: &str) -> Option<
     ui.with_layout(egui::Layout::right_to_left(egui::Align::Min), |ui| {
         let size = egui::vec2(110.0, 0.0);
         let refused = ui.add(Button::new(no).min_size(size)).clicked();
-        let agreed = ui.add_enabled(enabled, Button::new(egui::RichText::new(yes).strong()).min_size(size)).clicked();
+        let agreed = ui.add_enabled(enabled, Button::new(RichText::new(yes).strong()).min_size(size)).clicked();
         if agreed { Some(true) } else { refused.then_some(false) }
     })
     .inner

@@ -5,6 +5,11 @@ use crate::command::Command;
 use crate::state::Desk;
 use egui::{ScrollArea, Ui};
 
+/// The width of the dialog, of the column of keys, and what is between the columns, in points.
+pub(super) const WIDTH: f32 = 626.0;
+const KEYS: f32 = 190.0;
+const GAP: f32 = 16.0;
+
 pub(super) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
     let texts = desk.texts;
     let mouse = [
@@ -33,18 +38,23 @@ pub(super) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
         (texts.shortcuts_keys(), keys),
         (texts.shortcuts_keys_of_picture(), keys_of_picture),
     ];
-    ScrollArea::vertical().max_height(460.0).auto_shrink([false, true]).show(ui, |ui| {
+    let height = (ui.ctx().content_rect().height() - 160.0).min(460.0);
+    ScrollArea::vertical().max_height(height).auto_shrink([false, true]).show(ui, |ui| {
         for (title, rows) in parts {
             ui.strong(&title);
             egui::Grid::new(("shortcuts", title))
                 .num_columns(2)
-                .min_col_width(170.0)
+                .min_col_width(KEYS)
                 .striped(true)
-                .spacing([24.0, 3.0])
+                .spacing([GAP, 3.0])
                 .show(ui, |ui| {
                     for (key, does) in rows {
                         ui.label(key);
-                        ui.label(does);
+                        ui.horizontal(|ui| {
+                            // The stripes of all parts are equally wide.
+                            ui.set_width(WIDTH - KEYS - GAP - 14.0);
+                            ui.label(does);
+                        });
                         ui.end_row();
                     }
                 });

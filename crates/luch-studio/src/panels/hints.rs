@@ -2,9 +2,14 @@
 
 use crate::command::Command;
 use crate::state::Desk;
-use egui::{Align2, Area, Context, Frame, Id, RichText, vec2};
+use egui::{Align, Area, Frame, Grid, Id, Layout, RichText, Ui, vec2};
 
-pub(crate) fn show(ctx: &Context, desk: &mut Desk<'_>) {
+/// The least width of a hint, and what is between two, in points.
+const HINT: f32 = 280.0;
+const GAP: f32 = 24.0;
+
+/// Shows the hints over the upper left of what the panels have left of the window.
+pub(crate) fn show(ui: &Ui, desk: &mut Desk<'_>) {
     if !desk.state.hints || desk.state.preferences.hints_read || desk.state.dialog.is_some() {
         return;
     }
@@ -15,20 +20,36 @@ pub(crate) fn show(ctx: &Context, desk: &mut Desk<'_>) {
         (texts.hint_change(), texts.hint_change_how()),
         (texts.hint_undo(), texts.hint_undo_how()),
     ];
-    // In the upper left, over the back wall of the first scene: the spheres stay free to be clicked.
-    Area::new(Id::unique("hints")).anchor(Align2::LEFT_TOP, vec2(28.0, 92.0)).show(ctx, |ui| {
+    // Low and wide, over the back wall of the first scene: the spheres stay free to be clicked.
+    let room = ui.available_rect_before_wrap();
+    let (columns, below): (u8, f32) = if room.width() > 2.0 * HINT + GAP + 64.0 { (2, 48.0) } else { (1, 72.0) };
+    let gaps = GAP * f32::from(columns - 1);
+    let width = ((room.width() - 64.0 - gaps) / f32::from(columns)).min(400.0);
+    Area::new(Id::unique("hints")).fixed_pos(room.min + vec2(20.0, below)).show(ui.ctx(), |ui| {
         Frame::popup(ui.style()).inner_margin(12).show(ui, |ui| {
-            ui.set_max_width(340.0);
-            ui.label(RichText::new(texts.hints_title()).heading());
-            ui.add_space(4.0);
-            for (what, how) in hints {
-                ui.strong(what);
-                ui.label(how);
-                ui.add_space(2.0);
-            }
-            if ui.button(texts.hints_read()).clicked() {
-                desk.send(Command::HintsRead);
-            }
+            ui.set_width(width * f32::from(columns) + gaps);
+            ui.horizontal(|ui| {
+                ui.label(RichText::new(texts.hints_title()).heading().strong());
+                ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                    if ui.button(texts.hints_read()).clicked() {
+                        desk.send(Command::HintsRead);
+                    }
+                });
+            });
+            ui.add_space(2.0);
+            Grid::new("hints").num_columns(columns.into()).spacing([GAP, 6.0]).show(ui, |ui| {
+                for (place, (what, how)) in (1_u8..).zip(hints) {
+                    ui.vertical(|ui| {
+                        ui.set_width(width);
+                        ui.spacing_mut().item_spacing.y = 2.0;
+                        ui.strong(what);
+                        ui.label(how);
+                    });
+                    if place % columns == 0 {
+                        ui.end_row();
+                    }
+                }
+            });
         });
     });
 }

@@ -9,8 +9,9 @@ use crate::widgets::icon::{self, Icon};
 use egui::{Align, Button, Id, Layout, ScrollArea, TextEdit, Ui, vec2};
 use std::sync::Arc;
 
-/// Rows that are seen at once.
-const ROWS: f32 = 9.0;
+/// The least and the most rows that are seen at once, and the share of the window that they may take.
+const ROWS: [f32; 2] = [3.0, 12.0];
+const SHARE: f32 = 0.2;
 
 pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
     let filter = filter_field(ui, desk);
@@ -20,12 +21,15 @@ pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
         return;
     }
     let height = ui.spacing().interact_size.y;
+    let row_height = height + ui.spacing().item_spacing.y;
+    // Whole rows: the last one is not cut.
+    let seen = (ui.ctx().content_rect().height() * SHARE / row_height).floor().clamp(ROWS[0], ROWS[1]);
+    let most = seen * row_height - ui.spacing().item_spacing.y;
     let newly = newly_selected(ui, desk);
-    let mut area = ScrollArea::vertical().id_salt("objects").max_height(ROWS * height).auto_shrink([false, true]);
+    let mut area = ScrollArea::vertical().id_salt("objects").max_height(most).auto_shrink([false, true]);
     // A selection made in the picture is brought into sight in the list.
     if let Some(row) = newly.and_then(|part| rows.place_of(part)) {
-        let row_height = height + ui.spacing().item_spacing.y;
-        let offset = (row as f32 - ROWS / 2.0).max(0.0) * row_height;
+        let offset = (row as f32 - (seen / 2.0).floor()).max(0.0) * row_height;
         area = area.vertical_scroll_offset(offset);
     }
     area.show_rows(ui, height, rows.len(), |ui, range| {

@@ -2,7 +2,7 @@
 
 use crate::command::Command;
 use crate::l10n::Texts;
-use crate::preferences::{Preferences, cores};
+use crate::preferences::Preferences;
 use crate::state::Desk;
 use crate::undo::Gesture;
 use crate::widgets::check::NumberFormat;
@@ -19,10 +19,6 @@ pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
     depth_field(ui, desk);
     threads_field(ui, desk);
     let texts = desk.texts;
-    let mut live = desk.state.preferences.live;
-    if ui.checkbox(&mut live, texts.live_update()).on_hover_text(texts.live_update_tip()).changed() {
-        desk.send(Command::SetLive(live));
-    }
     let status = desk.render.status();
     let busy = status.phase != LivePhase::Idle || desk.loading.is_some() || desk.files.is_adding();
     ui.horizontal(|ui| {
@@ -41,7 +37,13 @@ pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
             desk.send(Command::Cancel);
         }
     });
-    progress(ui, desk, &status);
+    ui.horizontal(|ui| {
+        let mut live = desk.state.preferences.live;
+        if ui.checkbox(&mut live, texts.live_update()).on_hover_text(texts.live_update_tip()).changed() {
+            desk.send(Command::SetLive(live));
+        }
+        progress(ui, desk, &status);
+    });
     ui.add_space(4.0);
 }
 
@@ -64,11 +66,14 @@ fn progress(ui: &mut Ui, desk: &Desk<'_>, status: &LiveStatus) {
                 Some(left) => texts.progress_left(percent(share), duration(left, texts)),
                 None => percent(share),
             },
-            LivePhase::Idle => duration(status.elapsed, texts),
+            LivePhase::Idle => duration(desk.state.figures.elapsed(status.elapsed), texts),
         }
     };
     let name = texts.progress();
-    let response = ui.add(ProgressBar::new(share).text(text.clone()).desired_height(18.0));
+    let bar = ProgressBar::new(share).text(text.clone()).desired_height(18.0).desired_width(ui.available_width());
+    // What is done asks for no attention.
+    let is_done = status.phase == LivePhase::Idle && desk.loading.is_none();
+    let response = ui.add(if is_done { bar.fill(ui.visuals().widgets.inactive.bg_fill) } else { bar });
     response.widget_info(|| {
         let mut info = egui::WidgetInfo::labeled(egui::Role::ProgressIndicator, true, &name);
         info.current_text_value = Some(text.clone());
@@ -116,12 +121,13 @@ fn depth_field(ui: &mut Ui, desk: &mut Desk<'_>) {
 
 fn threads_field(ui: &mut Ui, desk: &mut Desk<'_>) {
     let texts = desk.texts;
-    let (name, tip) = (texts.threads(), texts.threads_tip(cores()));
+    let cores = desk.state.figures.cores();
+    let (name, tip) = (texts.threads(), texts.threads_tip(cores));
     let format = NumberFormat { range: 1.0..=Preferences::MAX_THREADS as f64, decimals: 0, suffix: "" };
-    let most = (cores() * 2).max(8) as f64;
+    let most = (cores * 2).max(8) as f64;
     let field = NumberField::new(&name, desk.state.preferences.threads_in_use() as f64, format).tooltip(&tip);
     if let Some((threads, _)) = field.slider(1.0..=most).show(ui, texts) {
         let threads = threads as usize;
-        desk.send(Command::SetThreads((threads != cores()).then_some(threads)));
+        desk.send(Command::SetThreads((threads != cores).then_some(threads)));
     }
 }

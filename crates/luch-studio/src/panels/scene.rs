@@ -3,6 +3,7 @@
 use super::menu::item;
 use crate::command::Command;
 use crate::dialogs::Dialog;
+use crate::document::Document;
 use crate::l10n::Texts;
 use crate::state::Desk;
 use crate::undo::Gesture;
@@ -25,7 +26,7 @@ fn scene_choice(ui: &mut Ui, desk: &mut Desk<'_>) {
     row::labelled(ui, &name, &texts.scene_choice_tip(), |ui, label| {
         let shown = match desk.loading {
             Some(_) => texts.scene_loading(),
-            None => desk.scene().name.clone(),
+            None => scene_name(&desk.state.document, texts),
         };
         let current = desk.loading.or(desk.state.document.source.as_ref()).cloned();
         let combo = ComboBox::from_id_salt("scene").width(ui.available_width()).selected_text(shown).truncate();
@@ -40,6 +41,14 @@ fn scene_choice(ui: &mut Ui, desk: &mut Desk<'_>) {
         });
         response.response.labelled_by(label.id);
     });
+}
+
+/// What the scene at hand is called: a built-in one in the language of the window.
+pub(crate) fn scene_name(document: &Document, texts: &Texts) -> String {
+    match document.source {
+        Some(SceneSource::BuiltIn(id)) => built_in_name(id, texts),
+        _ => document.scene().name.clone(),
+    }
 }
 
 /// What a built-in scene is called in the language of the window.

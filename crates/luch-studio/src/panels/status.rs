@@ -12,10 +12,10 @@ pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
         facts.push(texts.status_size(size.width().to_string(), size.height().to_string()));
         facts.push(texts.status_rays(snapshot.samples));
         facts.push(texts.status_threads(snapshot.job.threads));
-        facts.push(duration(snapshot.elapsed, texts));
-        let seconds = snapshot.elapsed.as_secs_f64();
-        if seconds > 0.0 {
-            facts.push(texts.status_speed(format!("{:.1}", snapshot.rays as f64 / seconds / 1e6)));
+        let figures = desk.state.figures;
+        facts.push(duration(figures.elapsed(snapshot.elapsed), texts));
+        if let Some(speed) = figures.mrays_per_s(snapshot.rays, snapshot.elapsed) {
+            facts.push(texts.status_speed(format!("{speed:.1}")));
         }
     }
     let under = crate::viewport::under_pointer(ui.ctx()).and_then(|part| part.name(desk.scene()).map(str::to_owned));

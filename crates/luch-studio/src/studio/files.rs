@@ -7,6 +7,7 @@ use crate::document::Document;
 use crate::files::{Purpose, SaveEnd, SaveOrder};
 use crate::loader::{LoadFailure, Loaded};
 use crate::notices::{Severity, drawable};
+use crate::panels::scene_name;
 use crate::told;
 use egui::{Context, ViewportCommand};
 use luch_io::SceneSource;
@@ -259,7 +260,7 @@ impl Studio {
     pub(super) fn show_title(&mut self, ctx: &Context) {
         let document = &self.state.document;
         let file = document.file().and_then(Path::file_name).map(|name| drawable(&name.to_string_lossy()));
-        let name = file.unwrap_or_else(|| document.scene().name.clone());
+        let name = file.unwrap_or_else(|| scene_name(document, &self.texts));
         let selected = self.state.selection.and_then(|part| part.name(document.scene()));
         let name = selected.map_or(name.clone(), |selected| format!("{} — {name}", drawable(selected)));
         let changed = document.is_changed();

@@ -23,7 +23,7 @@ pub(crate) fn show(ctx: &Context, desk: &mut Desk<'_>) {
         .id(Id::unique("study"))
         .open(&mut open)
         .default_pos([28.0, 64.0])
-        .default_size([560.0, 620.0])
+        .default_size([620.0, 420.0])
         .min_width(420.0)
         .show(ctx, |ui| {
             ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
@@ -167,7 +167,11 @@ fn checked(ui: &Ui, desk: &Desk<'_>, form: &Form) -> Arc<Checked> {
 /// Sentences, plots, and a place to keep them.
 fn results(ui: &mut Ui, desk: &mut Desk<'_>) {
     let texts = desk.texts;
-    let StudyDesk { findings: Some(findings), .. } = &desk.state.study else { return };
+    let StudyDesk { findings: Some(findings), .. } = &desk.state.study else {
+        ui.separator();
+        ui.weak(texts.study_nothing_yet());
+        return;
+    };
     let language = words(desk.state.preferences.language);
     ui.separator();
     for chart in charts(findings, language) {

@@ -17,6 +17,7 @@ mod wheel;
 
 use crate::command::Command;
 use crate::explain;
+use crate::panels::scene_name;
 use crate::selection::Part;
 use crate::state::Desk;
 use canvas::Canvas;
@@ -136,7 +137,7 @@ fn surround(ui: &Ui) -> Color32 {
 
 fn name_for_readers(response: &Response, desk: &Desk<'_>) {
     let texts = desk.texts;
-    let scene = &desk.scene().name;
+    let scene = scene_name(&desk.state.document, texts);
     let camera = desk.state.camera().map(|camera| camera.name).unwrap_or_default();
     let description = match desk.state.selection.and_then(|part| part.name(desk.scene())) {
         Some(selected) => texts.picture_with_selection(scene, camera, selected),

@@ -7,7 +7,7 @@ use egui::{Frame, Ui};
 pub(super) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
     let texts = desk.texts;
     Frame::new().inner_margin(egui::Margin::symmetric(8, 4)).show(ui, |ui| {
-        ui.horizontal(|ui| {
+        ui.horizontal_wrapped(|ui| {
             for tool in Tool::ALL {
                 let command = Command::SetTool(tool);
                 let tip = match tool {

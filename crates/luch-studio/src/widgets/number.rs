@@ -58,8 +58,7 @@ impl<'a> NumberField<'a> {
             let field = 72.0;
             let mut slid = None;
             if let Some(range) = self.slider.clone() {
-                ui.spacing_mut().slider_width =
-                    (ui.available_width() - field - 2.0 * ui.spacing().item_spacing.x).max(24.0);
+                ui.spacing_mut().slider_width = (ui.available_width() - field - ui.spacing().item_spacing.x).max(24.0);
                 let mut value = self.value;
                 let slider = Slider::new(&mut value, range).show_value(false).logarithmic(self.logarithmic);
                 let slider = if self.format.decimals == 0 { slider.step_by(1.0) } else { slider };

@@ -2,13 +2,15 @@
 
 use egui::{Align, Layout, Response, Ui, vec2};
 
-/// The width of the column of names, in points.
-const NAMES: f32 = 128.0;
+/// Where the controls begin, in points from the left edge of the panel: below each other, however far in the names stand.
+const CONTROLS: f32 = 158.0;
 
 /// Shows a name and beside it what `control` adds. The control gets the response of the name to be labelled by it.
 pub(crate) fn labelled<R>(ui: &mut Ui, name: &str, tooltip: &str, control: impl FnOnce(&mut Ui, &Response) -> R) -> R {
     ui.horizontal(|ui| {
-        let width = NAMES.min(ui.available_width() * 0.42);
+        let room = ui.available_width();
+        let names = ui.clip_rect().left() + CONTROLS - ui.spacing().item_spacing.x - ui.cursor().left();
+        let width = names.clamp(room * 0.3, room * 0.48);
         let label = ui
             .allocate_ui_with_layout(
                 vec2(width, ui.spacing().interact_size.y),

@@ -4,11 +4,13 @@ use super::check::NumberFormat;
 use super::number::{field_of, show_complaint};
 use super::row;
 use crate::l10n::Texts;
-use egui::{Response, Ui};
+use egui::{Label, Response, Ui, vec2};
 use luch_scene::ImageSize;
 
-/// The width of each of the two fields, in points.
-const FIELD: f32 = 64.0;
+/// The least and the greatest width of each of the two fields, in points.
+const FIELD: [f32; 2] = [48.0, 120.0];
+/// The room of the sign between them.
+const TIMES: f32 = 10.0;
 
 /// Shows the size and answers with the one that was typed.
 pub(crate) fn size_field(ui: &mut Ui, size: ImageSize, texts: &Texts) -> Option<ImageSize> {
@@ -16,10 +18,12 @@ pub(crate) fn size_field(ui: &mut Ui, size: ImageSize, texts: &Texts) -> Option<
     let ids = ["width", "height"].map(|side| ui.scope_id().with(("size", side)));
     let sides = [size.width(), size.height()].map(f64::from);
     let typed = row::labelled(ui, &texts.picture_size(), &texts.picture_size_tip(), |ui, _| {
-        let (width, typed_width) = field_of(ui, ids[0], sides[0], &format, FIELD, texts);
+        let gap = ui.spacing().item_spacing.x;
+        let side = ((ui.available_width() - TIMES - 2.0 * gap) / 2.0).clamp(FIELD[0], FIELD[1]);
+        let (width, typed_width) = field_of(ui, ids[0], sides[0], &format, side, texts);
         name(&width, &texts.picture_width());
-        ui.label("×");
-        let (height, typed_height) = field_of(ui, ids[1], sides[1], &format, FIELD, texts);
+        ui.add_sized(vec2(TIMES, ui.spacing().interact_size.y), Label::new("×"));
+        let (height, typed_height) = field_of(ui, ids[1], sides[1], &format, side, texts);
         name(&height, &texts.picture_height());
         (typed_width.is_some() || typed_height.is_some())
             .then(|| [typed_width.unwrap_or(sides[0]), typed_height.unwrap_or(sides[1])])

@@ -210,6 +210,12 @@ impl Desk {
         }
     }
 
+    /// Scrolls to a field or a list to choose from.
+    pub fn scroll_to_field(&mut self, name: &str) {
+        let is_list = self.harness.query_by_role_and_label(Role::ComboBox, name).is_some();
+        self.scroll_to(if is_list { Role::ComboBox } else { Role::TextInput }, name);
+    }
+
     /// Types a value into the field of that name and presses Enter.
     pub fn type_into(&mut self, name: &str, text: &str) {
         self.begin_typing(name, text);
@@ -255,14 +261,42 @@ impl Desk {
     pub fn press_in_list(&mut self, name: &str) {
         // The list lies below the field that filters it, and scrolls by itself.
         self.scroll_to(Role::TextInput, self.words.find_by_name);
+        self.scroll_list_to(name);
         self.scroll_to(Role::Button, name);
         self.harness.get_by_role_and_label(Role::Button, name).click();
         self.settle();
     }
 
+    /// Turns the wheel over the list of objects until there is such a button: what is out of sight has no row.
+    fn scroll_list_to(&mut self, name: &str) {
+        let is_there = |desk: &Self| desk.harness.query_by_role_and_label(Role::Button, name).is_some();
+        if is_there(self) {
+            return;
+        }
+        let field = self.harness.get_by_role_and_label(Role::TextInput, self.words.find_by_name).rect();
+        self.harness.hover_at(field.center_bottom() + egui::vec2(0.0, 20.0));
+        // Up to its beginning, then down.
+        for lines in std::iter::once(1000.0).chain(std::iter::repeat_n(-2.0, 1000)) {
+            let (unit, delta) = (egui::MouseWheelUnit::Line, egui::vec2(0.0, lines));
+            let (phase, source) = (egui::TouchPhase::Move, egui::MouseWheelSource::Unknown);
+            let modifiers = Modifiers::NONE;
+            self.harness.event(egui::Event::MouseWheel { unit, delta, phase, source, modifiers });
+            for _ in 0..3 {
+                self.harness.step();
+            }
+            if is_there(self) {
+                return;
+            }
+        }
+    }
+
     /// Clicks the picture at a part of its width and height, counted from the upper left.
     pub fn click_picture(&mut self, across: f32, down: f32) {
-        let at = self.point_of_picture(across, down);
+        self.click_at(self.point_of_picture(across, down));
+    }
+
+    /// Clicks a point of the window.
+    pub fn click_at(&mut self, at: Pos2) {
         self.harness.hover_at(at);
         self.harness.step();
         for pressed in [true, false] {
@@ -271,6 +305,11 @@ impl Desk {
             self.harness.step();
         }
         self.settle();
+    }
+
+    /// The point of the window in the middle of the picture, whatever its scale.
+    pub fn middle_of_picture(&self) -> Pos2 {
+        self.harness.get_by_role_and_label(Role::Image, self.words.picture).rect().center()
     }
 
     /// The point of the window at a part of the picture.

@@ -7,8 +7,12 @@ use crate::state::Desk;
 use crate::studio::PATIENCE;
 use egui::{Align, Button, Layout, RichText, Sense, Ui, vec2};
 
+/// The width of the panel below which the head takes more lines, in points.
+const NARROW: f32 = 440.0;
+
 pub(super) fn show(ui: &mut Ui, desk: &mut Desk<'_>, [x, y]: [u32; 2]) {
     let texts = desk.texts;
+    let is_narrow = ui.available_width() < NARROW;
     ui.horizontal(|ui| {
         let title = texts.explain_pixel(x.to_string(), y.to_string());
         ui.strong(title).on_hover_text(texts.explain_pixel_tip());
@@ -18,15 +22,28 @@ pub(super) fn show(ui: &mut Ui, desk: &mut Desk<'_>, [x, y]: [u32; 2]) {
                 desk.send(Command::Explain(ExplainCommand::Close));
             }
             copy_menu(ui, desk);
-            let mut every = desk.state.explain.every_digit;
-            let box_ = ui.checkbox(&mut every, texts.explain_every_digit());
-            if box_.on_hover_text(texts.explain_every_digit_tip()).changed() {
-                desk.send(Command::Explain(ExplainCommand::SetEveryDigit(every)));
+            if !is_narrow {
+                every_digit(ui, desk);
             }
         });
     });
     if let Some(answer) = desk.state.explain.answer.clone() {
-        ui.horizontal_wrapped(|ui| color(ui, desk, &answer));
+        ui.horizontal_wrapped(|ui| {
+            color(ui, desk, &answer);
+            if is_narrow {
+                every_digit(ui, desk);
+            }
+        });
+    }
+}
+
+/// Whether numbers are written to the last digit.
+fn every_digit(ui: &mut Ui, desk: &mut Desk<'_>) {
+    let texts = desk.texts;
+    let mut every = desk.state.explain.every_digit;
+    let box_ = ui.checkbox(&mut every, texts.explain_every_digit());
+    if box_.on_hover_text(texts.explain_every_digit_tip()).changed() {
+        desk.send(Command::Explain(ExplainCommand::SetEveryDigit(every)));
     }
 }
 

@@ -21,7 +21,7 @@ use luch_render::explain::ExplainError;
 /// The least height, the first at least and at most, in points.
 const HEIGHT: [f32; 3] = [140.0, 300.0, 460.0];
 /// The least and the first width of the tree.
-const TREE: [f32; 2] = [220.0, 400.0];
+const TREE: [f32; 2] = [150.0, 440.0];
 
 /// Shows the panel while a pixel is explained. Its size is remembered.
 pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
@@ -45,7 +45,8 @@ pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
         }
         let Some(answer) = explain.answer.as_ref() else { return };
         let widest = (ui.available_width() * 0.7).max(TREE[0]);
-        let tree = Panel::left("explain rays").resizable(true).min_size(TREE[0]).default_size(TREE[1]).max_size(widest);
+        let first = TREE[1].min(ui.available_width() * 0.48);
+        let tree = Panel::left("explain rays").resizable(true).min_size(TREE[0]).default_size(first).max_size(widest);
         tree.frame(egui::Frame::NONE).show(ui, |ui| tree::show(ui, desk, answer));
         name_handle(ui, "explain rays", desk.texts.explain_tree_width());
         let rest = egui::Frame::NONE.inner_margin(egui::Margin { left: 10, ..Default::default() });
@@ -70,7 +71,7 @@ fn name_handle(ui: &Ui, panel: &str, name: String) {
 /// The sides of the account to choose from.
 fn tabs(ui: &mut Ui, desk: &mut Desk<'_>) {
     let texts = desk.texts;
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         for page in Page::ALL {
             let (name, tip) = match page {
                 Page::Sum => (texts.explain_page_sum(), texts.explain_page_sum_tip()),

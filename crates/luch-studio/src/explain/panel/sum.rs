@@ -34,7 +34,7 @@ pub(super) fn show(ui: &mut Ui, desk: &Desk<'_>, answer: &Arc<Explained>) {
     let known: Option<Told> = ui.data(|d| d.get_temp(id));
     let same = |told: &Told| Arc::ptr_eq(&told.answer, answer) && told.ray == ray && told.language == language;
     let mut told = known.filter(same).unwrap_or_else(|| tell(answer, ray, language));
-    ScrollArea::vertical().auto_shrink([false, false]).id_salt("told").show(ui, |ui| {
+    ScrollArea::both().auto_shrink([false, false]).id_salt("told").show(ui, |ui| {
         let width = ui.available_width();
         if told.width != width {
             told.heights.clear();

@@ -18,6 +18,8 @@ const ROW: f32 = 20.0;
 const INDENT: [f32; 2] = [14.0, 140.0];
 /// The widths of the columns to the right: number, distance, share, colour.
 const COLUMNS: [f32; 4] = [38.0, 62.0, 56.0, 24.0];
+/// The width of the tree below which the number and the distance are left out for the name's sake.
+const NARROW: f32 = 280.0;
 
 fn tree_id() -> Id {
     Id::unique("tree of rays")
@@ -92,12 +94,21 @@ fn head(ui: &mut Ui, desk: &mut Desk<'_>) {
     fold_buttons(ui, desk, Rect::from_x_y_ranges(edges[1] - 40.0..=edges[1], rect.y_range()));
     for (place, (name, tip)) in columns.into_iter().enumerate() {
         let cell = Rect::from_x_y_ranges(edges[place]..=edges[place + 1], rect.y_range());
+        if cell.width() <= 0.0 {
+            continue;
+        }
         let (align, at) = if place == 0 {
             (Align2::LEFT_CENTER, cell.left_center() + vec2(4.0, 0.0))
         } else {
             (Align2::RIGHT_CENTER, cell.right_center())
         };
-        ui.painter().text(at, align, &name, TextStyle::Small.resolve(ui.style()), ui.visuals().weak_text_color());
+        let color = ui.visuals().weak_text_color();
+        let mut job = LayoutJob::simple_singleline(name.clone(), TextStyle::Small.resolve(ui.style()), color);
+        // Before the buttons that fold the tree.
+        let room = if place == 0 { cell.width() - 48.0 } else { cell.width() };
+        job.wrap = TextWrapping::truncate_at_width(room.max(0.0));
+        let galley = ui.painter().layout_job(job);
+        ui.painter().galley(align.anchor_size(at, galley.size()).min, galley, color);
         let response = ui.interact(cell, ui.scope_id().with(("column", place)), Sense::hover());
         response.widget_info(|| WidgetInfo::labeled(Role::ColumnHeader, true, &name));
         response.on_hover_text(tip);
@@ -131,6 +142,9 @@ fn edges(rect: Rect) -> [f32; 6] {
     let right = rect.right() - 8.0;
     let colour = right - COLUMNS[3];
     let share = colour - COLUMNS[2];
+    if rect.width() < NARROW {
+        return [rect.left(), share, share, share, colour, right];
+    }
     let distance = share - COLUMNS[1];
     [rect.left(), distance - COLUMNS[0], distance, share, colour, right]
 }
@@ -188,8 +202,10 @@ fn show_row(ui: &mut Ui, desk: &mut Desk<'_>, answer: &Explained, ray: u32, tree
         let at = pos2(edges[column + 1], middle);
         ui.painter().text(at, Align2::RIGHT_CENTER, text, small.clone(), text_color);
     };
-    right(1, ray.to_string());
-    right(2, answer.t_of(ray).map_or_else(|| "—".to_owned(), |t| Digits { every: false }.number(t)));
+    if edges[1] < edges[2] {
+        right(1, ray.to_string());
+        right(2, answer.t_of(ray).map_or_else(|| "—".to_owned(), |t| Digits { every: false }.number(t)));
+    }
     right(3, percent(account.weight));
     let patch = Rect::from_center_size(pos2(edges[5] - 9.0, middle), vec2(14.0, 14.0));
     ui.painter().rect(

@@ -5,7 +5,9 @@ mod support;
 
 mod input;
 mod language;
+mod layout;
 mod live;
 mod picker;
 mod picking;
+mod snapshots;
 mod undo;

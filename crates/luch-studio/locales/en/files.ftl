@@ -105,7 +105,6 @@ ago-days = { $days ->
 notice-not-kept = Autosave failed: save the scene
 
 ## Cameras
-camera-menu = Cameras: add, rename, remove
 command-remove-camera = Remove the camera
 dialog-rename-camera = Rename the camera…
 button-rename = Rename

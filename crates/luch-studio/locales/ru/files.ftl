@@ -95,7 +95,6 @@ ago-days = { $days ->
 notice-not-kept = Автосохранение не удалось: сохраните сцену
 
 ## Камеры
-camera-menu = Камеры: добавить, переименовать, удалить
 command-remove-camera = Удалить камеру
 dialog-rename-camera = Переименовать камеру…
 button-rename = Переименовать

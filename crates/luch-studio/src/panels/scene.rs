@@ -72,33 +72,20 @@ fn camera_choice(ui: &mut Ui, desk: &mut Desk<'_>) {
         if moved {
             shown.push_str(" *");
         }
-        // With room to spare: a row that is wider than the panel makes the panel wider, frame by frame.
-        let menu = 40.0 + ui.spacing().item_spacing.x;
-        let width = ui.available_width() - menu;
-        let combo = ComboBox::from_id_salt("camera").width(width).selected_text(shown).truncate();
+        let combo = ComboBox::from_id_salt("camera").width(ui.available_width()).selected_text(shown).truncate();
         let response = combo.show_ui(ui, |ui| {
             for (other, name) in names.iter().enumerate() {
                 if ui.selectable_label(other == index && !moved, name).clicked() {
                     desk.send(Command::ChooseCamera(other));
                 }
             }
+            ui.separator();
+            item(ui, desk, Command::AddCamera, true);
+            item(ui, desk, Command::Show(Dialog::RenameCamera(index)), true);
+            item(ui, desk, Command::RemoveCamera(index), names.len() > 1);
         });
         response.response.labelled_by(label.id);
-        camera_menu(ui, desk, index, names.len());
     });
-}
-
-/// What can be done with cameras.
-fn camera_menu(ui: &mut Ui, desk: &mut Desk<'_>, index: usize, count: usize) {
-    let texts = desk.texts;
-    let menu = ui.menu_button("…", |ui| {
-        item(ui, desk, Command::AddCamera, true);
-        item(ui, desk, Command::Show(Dialog::RenameCamera(index)), true);
-        item(ui, desk, Command::RemoveCamera(index), count > 1);
-    });
-    let name = texts.camera_menu();
-    menu.response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, &name));
-    menu.response.on_hover_text(name);
 }
 
 fn field_of_view(ui: &mut Ui, desk: &mut Desk<'_>) {

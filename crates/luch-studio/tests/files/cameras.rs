@@ -1,14 +1,25 @@
 //! Cameras added, renamed, removed.
 
 use crate::desk::{BALL, Folder, studio, studio_with};
+use crate::support::Desk;
+use egui::accesskit::Role;
 use egui::{Key, Modifiers};
+use egui_kittest::kittest::Queryable;
 
-const MENU: &str = "Cameras: add, rename, remove";
+impl Desk {
+    /// Clicks an entry of the list of cameras that is no camera.
+    fn camera_command(&mut self, entry: &str) {
+        self.harness.get_by_role_and_label(Role::ComboBox, "Camera").click();
+        self.steps(3);
+        self.press_starting(entry);
+        self.settle();
+    }
+}
 
 #[test]
 fn a_camera_is_made_of_what_is_seen() {
     let mut desk = studio();
-    desk.open_menu(MENU, "Camera from this view");
+    desk.camera_command("Camera from this view");
     let scene = desk.harness.state().scene();
     assert_eq!(scene.cameras.len(), 4);
     assert_eq!(scene.cameras[3].name, "Camera 4");
@@ -22,7 +33,7 @@ fn a_camera_is_made_of_what_is_seen() {
 #[test]
 fn a_camera_is_renamed_and_no_name_is_given_twice() {
     let mut desk = studio();
-    desk.open_menu(MENU, "Rename the camera…");
+    desk.camera_command("Rename the camera…");
     for name in ["Camera 2", "", "From above"] {
         desk.type_into("Name", name);
         assert_eq!(desk.offers("Rename"), name != "From above", "{name}");
@@ -34,12 +45,12 @@ fn a_camera_is_renamed_and_no_name_is_given_twice() {
 fn the_last_camera_stays() {
     let folder = Folder::new();
     let mut desk = studio();
-    desk.open_menu(MENU, "Remove the camera");
-    desk.open_menu(MENU, "Remove the camera");
+    desk.camera_command("Remove the camera");
+    desk.camera_command("Remove the camera");
     assert_eq!(desk.harness.state().scene().cameras.len(), 1);
     assert_eq!(desk.harness.state().camera().unwrap().name, "Camera 3");
     let mut desk = studio_with(&folder.write("ball.toml", BALL));
-    desk.open_menu(MENU, "Remove the camera");
+    desk.camera_command("Remove the camera");
     assert_eq!(desk.harness.state().scene().cameras.len(), 1);
     assert!(!desk.says("The change was refused"), "it cannot even be asked for");
 }

@@ -80,6 +80,9 @@ fn camera_choice(ui: &mut Ui, desk: &mut Desk<'_>) {
                 }
             }
             ui.separator();
+            let padding = ui.spacing().button_padding;
+            egui::containers::menu::menu_style(ui.style_mut());
+            ui.spacing_mut().button_padding = padding;
             item(ui, desk, Command::AddCamera, true);
             item(ui, desk, Command::Show(Dialog::RenameCamera(index)), true);
             item(ui, desk, Command::RemoveCamera(index), names.len() > 1);

@@ -100,6 +100,11 @@ fn desk(words: Words, (size, pixels_per_point): Size, scene: &str) -> Desk {
     desk
 }
 
+/// The keys of the dialogs for files.
+const COMMAND_O: (Modifiers, Key) = (Modifiers::COMMAND, Key::O);
+const COMMAND_E: (Modifiers, Key) = (Modifiers::COMMAND, Key::E);
+const COMMAND_SHIFT_S: (Modifiers, Key) = (Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::S);
+
 #[test]
 fn no_text_of_the_panels_is_cut_off_or_covered() {
     for words in LANGUAGES {
@@ -126,6 +131,7 @@ fn no_text_of_the_menus_and_dialogs_is_cut_off_or_covered() {
     let bars = [["File", "Edit", "Add", "View", "Help"], ["Файл", "Правка", "Добавить", "Вид", "Справка"]];
     let dialogs = [["Keys and mouse", "About Luch"], ["Клавиши и мышь", "О программе «Луч»"]];
     let studies = ["Study…", "Исследование…"];
+    let paths = ["Path", "Путь"];
     for (language, words) in LANGUAGES.into_iter().enumerate() {
         let [.., view, help] = bars[language];
         for size in SIZES {
@@ -139,6 +145,16 @@ fn no_text_of_the_menus_and_dialogs_is_cut_off_or_covered() {
             for dialog in dialogs[language] {
                 desk.menu(&[help, dialog]);
                 assert_good(&desk, &before, dialog);
+                desk.key(Modifiers::NONE, Key::Escape);
+            }
+            for (modifiers, key) in [COMMAND_O, COMMAND_E, COMMAND_SHIFT_S] {
+                desk.key(modifiers, key);
+                // Not a folder of this machine, whose path may be longer than the field.
+                desk.begin_typing(paths[language], "/");
+                desk.settle();
+                desk.harness.remove_cursor();
+                desk.settle();
+                assert_good(&desk, &before, &format!("the dialog of {key:?}"));
                 desk.key(Modifiers::NONE, Key::Escape);
             }
             desk.menu(&[view, studies[language]]);

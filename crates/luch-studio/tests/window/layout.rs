@@ -2,8 +2,10 @@
 //! sizes that people have.
 
 use crate::support::{Desk, LANGUAGES, Words};
+use egui::accesskit::Role;
 use egui::epaint::{ClippedShape, Shape, TextShape};
 use egui::{Key, Modifiers, Rect};
+use egui_kittest::kittest::Queryable;
 use luch_studio::Start;
 
 /// A size of the window in points, and pixels per point.
@@ -193,6 +195,24 @@ fn the_hints_of_the_first_run_fit() {
                 Desk::in_window(words, start, size, pixels_per_point)
             });
             assert_good(&with, &drawn(&without), "the hints");
+        }
+    }
+}
+
+/// A row that is wider than the panel would make the panel wider, a little in each frame.
+#[test]
+fn the_panel_keeps_its_width() {
+    for words in LANGUAGES {
+        for size in SIZES {
+            let mut desk = desk(words, size, words.knight);
+            desk.select_in_list("Floor");
+            let left =
+                |desk: &Desk| desk.harness.get_by_role_and_label(Role::TextInput, words.find_by_name).rect().left();
+            let before = left(&desk);
+            for _ in 0..30 {
+                desk.harness.step();
+            }
+            assert_eq!(left(&desk), before, "{}, {size:?}", words.language);
         }
     }
 }

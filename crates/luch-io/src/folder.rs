@@ -2,6 +2,7 @@
 
 use crate::error::{Error, ErrorKind, Result};
 use std::ffi::{OsStr, OsString};
+use std::fs::DirEntry;
 use std::path::Path;
 
 /// A file or folder of a folder.
@@ -13,11 +14,11 @@ pub struct Entry {
     pub is_folder: bool,
 }
 
-/// The most entries that are looked at: more than anybody reads through.
+/// The most entries that are answered: more than anybody reads through.
 const MOST: usize = 20_000;
 
 /// The folders in `folder`, and its files with one of these endings (in small letters, without the dot): folders first,
-/// each sorted by name. Hidden ones are left out.
+/// each sorted by name. Hidden ones are left out, and so is what comes after very many.
 ///
 /// # Errors
 /// `Forbidden` if there is no such folder or it may not be read.
@@ -33,23 +34,28 @@ pub fn entries(folder: &Path, endings: &[&str]) -> Result<Vec<Entry>> {
         };
         Error::new(ErrorKind::Forbidden, shown, text)
     };
-    let mut found = Vec::new();
-    for entry in std::fs::read_dir(shown).map_err(|e| refused(&e))?.take(MOST) {
-        // One that vanished meanwhile is not there.
-        let Ok(entry) = entry else { continue };
-        let name = entry.file_name();
-        if name.as_encoded_bytes().starts_with(b".") {
-            continue;
-        }
-        let is_folder = entry.path().is_dir();
-        if is_folder || has_ending(&name, endings) {
-            found.push(Entry { name, is_folder });
-        }
-    }
+    let listed = std::fs::read_dir(shown).map_err(|e| refused(&e))?;
+    // One that vanished meanwhile is not there. What is left out does not count: it may be all that comes first.
+    let mut found: Vec<_> = listed.filter_map(|entry| entry_of(&entry.ok()?, endings)).take(MOST).collect();
     found.sort_by_cached_key(|entry| {
         (!entry.is_folder, entry.name.to_string_lossy().to_lowercase(), entry.name.clone())
     });
     Ok(found)
+}
+
+/// What is shown of an entry, if anything is.
+fn entry_of(entry: &DirEntry, endings: &[&str]) -> Option<Entry> {
+    let name = entry.file_name();
+    if name.as_encoded_bytes().starts_with(b".") {
+        return None;
+    }
+    let fits = has_ending(&name, endings);
+    // Only a link must be followed, which takes the system far longer than to name the kind of an entry.
+    let is_folder = match entry.file_type() {
+        Ok(kind) if !kind.is_symlink() => kind.is_dir(),
+        _ => entry.path().is_dir(),
+    };
+    (is_folder || fits).then_some(Entry { name, is_folder })
 }
 
 fn has_ending(name: &OsStr, endings: &[&str]) -> bool {
@@ -71,6 +77,24 @@ mod tests {
         );
         assert!(entries(Path::new("src"), &["toml"]).unwrap().iter().all(|entry| entry.is_folder));
         assert!(entries(Path::new(""), &["toml"]).unwrap().iter().any(|entry| entry.name == "Cargo.toml"));
+    }
+
+    #[test]
+    fn scenes_are_found_among_more_files_than_are_answered() {
+        let folder = std::env::temp_dir().join(format!("luch-io-folder-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).unwrap();
+        // In which order the system lists them is its own business: of many scenes some come late.
+        let scenes: Vec<_> = (0..200).map(|number| OsString::from(format!("scene-{number:03}.toml"))).collect();
+        for (number, scene) in scenes.iter().enumerate() {
+            for file in 0..=MOST / 200 {
+                std::fs::write(folder.join(format!("{number}-{file}.txt")), "").unwrap();
+            }
+            std::fs::write(folder.join(scene), "").unwrap();
+        }
+        let found = entries(&folder, &["toml"]);
+        std::fs::remove_dir_all(&folder).unwrap();
+        let found: Vec<_> = found.unwrap().into_iter().map(|entry| entry.name).collect();
+        assert!(found == scenes, "{} of {} scenes", found.len(), scenes.len());
     }
 
     #[test]

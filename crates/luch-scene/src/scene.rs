@@ -153,16 +153,24 @@ pub(crate) fn check_form(name: &str) -> Result<(), NameError> {
     Ok(())
 }
 
+/// The first free name. A base that is too long for a number behind it loses letters at its end.
 fn first_free(base: &str, taken: impl Fn(&str) -> bool) -> String {
+    let base = shortened(base, Scene::MAX_NAME);
     if !taken(base) {
         return base.to_owned();
     }
     let mut number = 2_u64;
     loop {
-        let name = format!("{base} {number}");
+        let ending = format!(" {number}");
+        let name = shortened(base, Scene::MAX_NAME - ending.len()).to_owned() + &ending;
         if !taken(&name) {
             return name;
         }
         number += 1;
     }
+}
+
+/// As much of the beginning of a text as fits into so many bytes, in whole characters.
+fn shortened(text: &str, most: usize) -> &str {
+    &text[..text.floor_char_boundary(most)]
 }

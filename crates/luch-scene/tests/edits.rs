@@ -102,6 +102,21 @@ proptest! {
 }
 
 #[test]
+fn a_copy_of_what_has_the_longest_name_gets_a_shorter_one() {
+    for name in ["a".repeat(256), "a".repeat(255), "я".repeat(128), format!("{}я", "a".repeat(253))] {
+        let mut scene = scene();
+        Edit::Object(0, ObjectEdit::Rename(name.clone())).apply(&mut scene).unwrap();
+        for _ in 0..12 {
+            Edit::DuplicateObject(0).apply(&mut scene).unwrap_or_else(|error| panic!("{name}: {error}"));
+        }
+        let base: String = name.chars().take(120).collect();
+        let copies: Vec<_> = scene.objects.iter().filter(|object| object.name.starts_with(&base)).collect();
+        assert_eq!(copies.len(), 13);
+        assert!(copies.iter().any(|copy| copy.name.ends_with(" 13")));
+    }
+}
+
+#[test]
 fn a_copy_gets_a_free_name_and_stands_behind_its_original() {
     let mut scene = scene();
     Edit::DuplicateObject(0).apply(&mut scene).unwrap();

@@ -27,6 +27,7 @@ mod studio;
 mod study;
 mod style;
 mod told;
+mod texture;
 mod undo;
 mod view;
 mod viewport;

@@ -1,6 +1,7 @@
 //! The wire to the renderer: asks for pictures, takes the newest one, keeps it as a texture.
 
-use egui::{ColorImage, Context, TextureHandle, TextureOptions};
+use crate::texture::Texture;
+use egui::Context;
 use luch_render::session::live::{Epoch, LiveRequest, LiveSession, LiveStatus, Snapshot};
 use luch_render::{Integrator, RenderJob, SimdLevel};
 use luch_scene::{Camera, Scene};
@@ -11,7 +12,7 @@ pub(crate) struct RenderLink {
     session: LiveSession,
     asked: Option<Epoch>,
     shown: Option<Arc<Snapshot>>,
-    texture: Option<TextureHandle>,
+    texture: Option<Texture>,
     /// The picture that was asked for last and was told to have failed.
     told: Option<Epoch>,
 }
@@ -44,21 +45,12 @@ impl RenderLink {
         if self.shown.as_ref().is_some_and(|shown| Arc::ptr_eq(shown, &newest)) {
             return;
         }
-        let size = [newest.width as usize, newest.height as usize];
-        let pixels = newest.pixels.iter().map(|&[r, g, b, _]| egui::Color32::from_rgb(r, g, b)).collect();
-        let image = ColorImage::new(size, pixels);
-        // Enlarged pixels stay squares, so that one can count them; a reduced preview is smoothed instead.
-        let magnification = if newest.shrink > 1 { egui::TextureFilter::Linear } else { egui::TextureFilter::Nearest };
-        let options = TextureOptions { magnification, ..TextureOptions::LINEAR };
-        match &mut self.texture {
-            Some(texture) => texture.set(image, options),
-            None => self.texture = Some(ctx.load_texture("picture", image, options)),
-        }
+        self.texture = Some(Texture::of(&newest, self.texture.take(), ctx));
         self.shown = Some(newest);
     }
 
     /// The picture that is shown, and its texture.
-    pub(crate) fn picture(&self) -> Option<(&Arc<Snapshot>, &TextureHandle)> {
+    pub(crate) fn picture(&self) -> Option<(&Arc<Snapshot>, &Texture)> {
         self.shown.as_ref().zip(self.texture.as_ref())
     }
 

@@ -21,7 +21,7 @@ use crate::panels::scene_name;
 use crate::selection::Part;
 use crate::state::Desk;
 use canvas::Canvas;
-use egui::{CentralPanel, Color32, Context, Frame, Id, Painter, Rect, Response, Sense, Stroke, StrokeKind, Ui, pos2};
+use egui::{CentralPanel, Color32, Context, Frame, Id, Painter, Response, Sense, Stroke, StrokeKind, Ui};
 pub(crate) use frame::PictureFrame;
 use gizmo::Gizmo;
 use luch_render::session::live::{Snapshot, pick};
@@ -47,11 +47,10 @@ pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
             canvas.take_input(ui, &response, desk);
         }
         if let Some((snapshot, texture)) = desk.render.picture() {
-            let (snapshot, texture) = (Arc::clone(snapshot), texture.id());
+            let snapshot = Arc::clone(snapshot);
             let size = snapshot.job.size;
             let rect = canvas.picture_rect(area, size, desk.state.zoom, ui.pixels_per_point());
-            let [right, bottom] = snapshot.extent();
-            painter.image(texture, rect, Rect::from_min_max(pos2(0.0, 0.0), pos2(right, bottom)), Color32::WHITE);
+            texture.draw(&painter, rect);
             let frame = PictureFrame::new(rect, &snapshot.job.camera, size);
             work_in(ui, &painter, &response, &frame, &snapshot, desk);
         }

@@ -5,5 +5,6 @@ mod support;
 
 mod focus;
 mod gizmo;
+mod large;
 mod mouse;
 mod navigation;

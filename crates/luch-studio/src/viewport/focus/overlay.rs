@@ -2,6 +2,7 @@
 //! it is blurred; what is sharp stays as it is, and a line runs where the focus is exact.
 
 use super::blur::{Blur, SHARP};
+use crate::texture::{longest_side, part_within};
 use crate::viewport::frame::PictureFrame;
 use egui::{Color32, ColorImage, Context, Id, Painter, Rect, TextureHandle, TextureOptions, pos2};
 use luch_render::CompiledScene;
@@ -45,7 +46,7 @@ pub(super) fn draw(painter: &Painter, frame: &PictureFrame, snapshot: &Snapshot,
     let kept = match known {
         Some(kept) if kept.blur == blur => kept.clone(),
         _ => {
-            let map = known.map_or_else(|| Arc::new(map_of(snapshot)), |kept| Arc::clone(&kept.map));
+            let map = known.map_or_else(|| Arc::new(map_of(snapshot, longest_side(ctx))), |kept| Arc::clone(&kept.map));
             let image = tints(&map, blur);
             let texture = match kept {
                 Some(mut kept) => {
@@ -61,9 +62,10 @@ pub(super) fn draw(painter: &Painter, frame: &PictureFrame, snapshot: &Snapshot,
         }
     };
     // The last blocks may reach beyond the picture.
-    let part = |pixels: u32, blocks: u32| pixels as f32 / (blocks * kept.map.shrink()) as f32;
-    let shown = pos2(part(kept.size.width(), kept.map.columns()), part(kept.size.height(), kept.map.rows()));
-    painter.image(kept.texture.id(), frame.rect, Rect::from_min_max(pos2(0.0, 0.0), shown), Color32::WHITE);
+    let (sides, blocks) = ([kept.size.width(), kept.size.height()], [kept.map.columns(), kept.map.rows()]);
+    let [right, bottom] = part_within(sides, blocks.map(|side| side as usize), kept.map.shrink());
+    let shown = Rect::from_min_max(pos2(0.0, 0.0), pos2(right, bottom));
+    painter.image(kept.texture.id(), frame.rect, shown, Color32::WHITE);
 }
 
 /// Lets go of what was kept, and with it of the scene.
@@ -81,10 +83,17 @@ impl Kept {
     }
 }
 
-fn map_of(snapshot: &Snapshot) -> DepthMap {
-    let job = &snapshot.job;
-    let shrink = (1..=64).find(|side| job.size.pixels() / u64::from(side * side) <= RAYS).unwrap_or(64);
-    depths(&snapshot.compiled, job, shrink)
+fn map_of(snapshot: &Snapshot, longest: u32) -> DepthMap {
+    depths(&snapshot.compiled, &snapshot.job, side_of_blocks(snapshot.job.size, longest))
+}
+
+/// The side of the blocks that one ray each is traced for: so few that the map is soon there and fits in a texture.
+fn side_of_blocks(size: ImageSize, longest: u32) -> u32 {
+    let fits = |side: u32| {
+        let long = size.width().max(size.height()).div_ceil(side);
+        size.pixels() / u64::from(side).pow(2) <= RAYS && long <= longest
+    };
+    (1..=ImageSize::MAX_SIDE).find(|&side| fits(side)).unwrap_or(ImageSize::MAX_SIDE)
 }
 
 fn tints(map: &DepthMap, blur: Blur) -> ColorImage {
@@ -131,6 +140,20 @@ mod tests {
         let [near, nearer, far, farther] = [3.0, 2.0, 5.0, f64::INFINITY].map(|depth| tint(blur(), depth));
         assert!(near.r() > near.b() && far.b() > far.r());
         assert!(nearer.a() > near.a() && farther.a() > far.a() && far.a() > 20);
+    }
+
+    #[test]
+    fn the_map_of_any_picture_is_soon_there_and_fits_in_a_texture() {
+        for (width, height) in [(960, 720), (65_535, 1), (1, 65_535), (65_535, 1024), (8192, 8192), (1, 1)] {
+            let size = ImageSize::new(width, height).unwrap();
+            for longest in [512, 2048, 16_384] {
+                let side = side_of_blocks(size, longest);
+                let [columns, rows] = [width, height].map(|pixels| pixels.div_ceil(side));
+                assert!(columns.max(rows) <= longest, "{width} x {height}: {columns} x {rows}");
+                assert!(u64::from(columns) * u64::from(rows) <= RAYS + u64::from(columns.max(rows)) * 2);
+            }
+        }
+        assert_eq!(side_of_blocks(ImageSize::new(200, 300).unwrap(), 2048), 1);
     }
 
     #[test]

@@ -176,6 +176,8 @@ pub(crate) enum Command {
     Study(StudyCommand),
     /// Close the window.
     Quit,
+    /// Leave the field that is typed into, and do something with what was typed.
+    AfterTyping(Box<Command>),
 }
 
 const fn ctrl(key: Key) -> KeyboardShortcut {
@@ -250,6 +252,19 @@ impl Command {
             Self::SetTool(Tool::Focus) => plain(Key::T),
             _ => return None,
         })
+    }
+
+    /// Whether its keys mean something else to whoever types: the text has changes of its own to take back.
+    pub(crate) const fn is_about_text(&self) -> bool {
+        matches!(self, Self::Undo | Self::Redo | Self::Duplicate)
+    }
+
+    /// Whether it works with the whole scene, that which is being typed included.
+    pub(crate) const fn takes_what_is_typed(&self) -> bool {
+        matches!(
+            self,
+            Self::New | Self::OpenDialog | Self::Save | Self::SaveAs | Self::ExportDialog | Self::Render | Self::Quit
+        )
     }
 
     /// What a menu calls it.

@@ -14,6 +14,9 @@ pub(crate) fn take(ctx: &Context, desk: &mut Desk<'_>) {
     let typing = ctx.text_edit_focused() || ctx.data(|d| d.get_temp(typing_id())).unwrap_or(false);
     let in_menu = Popup::is_any_open(ctx);
     for (command, shortcut) in longest_first() {
+        if typing && command.is_about_text() {
+            continue;
+        }
         // A plain key belongs to the field that is typed into, or to the menu that is open.
         if (typing || in_menu) && shortcut.modifiers == Modifiers::NONE && !is_function_key(shortcut.logical_key) {
             continue;
@@ -29,7 +32,11 @@ pub(crate) fn take(ctx: &Context, desk: &mut Desk<'_>) {
         if ctx.input_mut(|i| i.consume_shortcut(&shortcut)) {
             // Escape closes what is open before it lets go of what is selected.
             let closes = command == Command::Select(None) && desk.state.explain.is_open();
-            desk.send(if closes { Command::Explain(ExplainCommand::Close) } else { command });
+            desk.send(match command {
+                _ if closes => Command::Explain(ExplainCommand::Close),
+                command if typing && command.takes_what_is_typed() => Command::AfterTyping(Box::new(command)),
+                command => command,
+            });
         }
     }
     if !typing && !in_menu {

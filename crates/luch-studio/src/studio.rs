@@ -8,6 +8,7 @@ mod files;
 mod looking;
 mod recovering;
 mod scenes;
+mod typing;
 
 pub(crate) use explaining::PATIENCE;
 
@@ -75,6 +76,8 @@ pub struct Studio {
     /// Whether a dialog waits for the scene that is being loaded.
     loading_for_dialog: bool,
     commands: Vec<Command>,
+    /// What waits for a field that was just left to tell what was typed.
+    later: Vec<Command>,
     /// Whether what is seen differs from what was asked for last.
     stale: bool,
     /// Whether the window is to be closed, whatever is unsaved.
@@ -134,6 +137,7 @@ impl Studio {
             explainer: Explainer::default(),
             copier: Copier::default(),
             commands: Vec::new(),
+            later: Vec::new(),
             stale: true,
             leaving: false,
             title: String::new(),
@@ -152,6 +156,7 @@ impl Studio {
         idle && !self.explainer.is_busy()
             && !self.copier.is_busy()
             && self.commands.is_empty()
+            && self.later.is_empty()
             && !self.stale
             && self.render.is_settled()
     }
@@ -338,6 +343,7 @@ impl Studio {
                 self.changed();
             }
             Command::Explain(command) => self.apply_explain(command, ctx),
+            Command::AfterTyping(command) => self.after_typing(*command, ctx),
             Command::Show(dialog) => {
                 self.state.dialog = Some(dialog);
                 self.state.complaint = None;
@@ -423,12 +429,13 @@ impl eframe::App for Studio {
     fn logic(&mut self, ctx: &Context, _frame: &mut eframe::Frame) {
         self.milestones.tell();
         self.take_in(ctx);
-        self.answer_close(ctx);
+        self.take_close(ctx);
     }
 
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         let ctx = ui.ctx().clone();
         let mut commands = std::mem::take(&mut self.commands);
+        let later = std::mem::take(&mut self.later);
         let desk = &mut Desk {
             state: &self.state,
             texts: &self.texts,
@@ -443,7 +450,7 @@ impl eframe::App for Studio {
         study::show(&ctx, desk);
         dialogs::show(&ctx, desk);
         shortcuts::note_typing(&ctx);
-        for command in commands {
+        for command in commands.into_iter().chain(later) {
             self.apply(command, &ctx);
         }
         if !ctx.input(|i| i.pointer.any_down()) {

@@ -13,3 +13,4 @@ mod guard;
 mod open;
 mod recovery;
 mod save;
+mod typing;

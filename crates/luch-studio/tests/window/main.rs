@@ -10,4 +10,5 @@ mod live;
 mod picker;
 mod picking;
 mod snapshots;
+mod typing;
 mod undo;

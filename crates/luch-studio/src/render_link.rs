@@ -34,6 +34,11 @@ impl RenderLink {
         self.asked = Some(self.session.show(LiveRequest { scene: Arc::clone(scene), job }));
     }
 
+    /// Whether any picture was asked for yet.
+    pub(crate) const fn has_asked(&self) -> bool {
+        self.asked.is_some()
+    }
+
     /// Stops the picture under way; what it has shown stays.
     pub(crate) fn stop(&self) {
         self.session.stop();

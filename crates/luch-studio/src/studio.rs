@@ -43,6 +43,9 @@ use std::time::{Duration, Instant};
 /// How often progress is drawn while a picture is made.
 const PROGRESS_EVERY: Duration = Duration::from_millis(100);
 
+/// How long the first picture waits for the scene that the window was opened with.
+const FIRST_WAITS: Duration = Duration::from_millis(300);
+
 /// How a studio starts.
 #[derive(Debug, Clone, Default)]
 pub struct Start {
@@ -80,6 +83,8 @@ pub struct Studio {
     later: Vec<Command>,
     /// Whether what is seen differs from what was asked for last.
     stale: bool,
+    /// Since when the first picture waits.
+    waits: Option<Instant>,
     /// Whether the window is to be closed, whatever is unsaved.
     leaving: bool,
     /// What the window's frame says.
@@ -139,6 +144,7 @@ impl Studio {
             commands: Vec::new(),
             later: Vec::new(),
             stale: true,
+            waits: None,
             leaving: false,
             title: String::new(),
             milestones: Milestones::new(start.milestone),
@@ -235,9 +241,10 @@ impl Studio {
         self.stale = true;
     }
 
-    /// Asks for the picture of what is seen now, unless a scene on its way will replace it.
+    /// Asks for the picture of what is seen now, also while another scene is read: that may take minutes, and what is
+    /// changed meanwhile is to be seen. Only the very first picture waits for a moment, as most scenes are soon there.
     fn ask(&mut self) {
-        if !self.stale || self.loader.source().is_some() {
+        if !self.stale || self.awaits_first_scene() {
             return;
         }
         self.stale = false;
@@ -246,6 +253,11 @@ impl Studio {
             let threads = self.state.preferences.threads_in_use();
             self.render.ask(self.state.document.scene(), camera, self.state.integrator, threads);
         }
+    }
+
+    fn awaits_first_scene(&mut self) -> bool {
+        let loads = self.loader.source().is_some() && !self.render.has_asked();
+        loads && self.waits.get_or_insert_with(Instant::now).elapsed() < FIRST_WAITS
     }
 
     /// The one place where the window's state changes.

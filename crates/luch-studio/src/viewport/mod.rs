@@ -9,6 +9,7 @@ mod gizmo;
 mod label;
 mod legend;
 mod lights;
+mod loading;
 mod lookup;
 mod navigation;
 mod outline;
@@ -54,6 +55,7 @@ pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
             let frame = PictureFrame::new(rect, &snapshot.job.camera, size);
             work_in(ui, &painter, &response, &frame, &snapshot, desk);
         }
+        loading::draw(&painter, area, desk);
         canvas.store(ui.ctx());
     });
 }

@@ -10,6 +10,7 @@ mod desk;
 mod drops;
 mod export;
 mod guard;
+mod loading;
 mod open;
 mod recovery;
 mod save;

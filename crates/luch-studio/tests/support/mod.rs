@@ -119,6 +119,13 @@ impl Desk {
 
     /// The same in a window of another size, in points.
     pub fn in_window(words: Words, start: Start, size: [f32; 2], pixels_per_point: f32) -> Self {
+        let mut desk = Self::opening(words, start, size, pixels_per_point);
+        desk.settle();
+        desk
+    }
+
+    /// The same as the first frame finds it, whatever is under way.
+    pub fn opening(words: Words, start: Start, size: [f32; 2], pixels_per_point: f32) -> Self {
         let start = Start { language: Some(words.language.to_owned()), ..start };
         let (wake, woken) = sync_channel(1);
         let harness = Harness::builder().with_size(size).with_pixels_per_point(pixels_per_point).build_eframe(
@@ -132,9 +139,7 @@ impl Desk {
                 Studio::new(creation, start).expect("a thread to render on")
             },
         );
-        let mut desk = Self { harness, words, live: true, woken };
-        desk.settle();
-        desk
+        Self { harness, words, live: true, woken }
     }
 
     /// Draws frames until nothing is under way.

@@ -382,7 +382,7 @@ impl Studio {
                 self.state.study.open = open;
                 Ok(())
             }
-            StudyCommand::Start(study) => self.state.study.start(*study, wake),
+            StudyCommand::Start(plan) => self.state.study.start(*plan, wake),
             StudyCommand::Cancel => {
                 self.state.study.cancel();
                 Ok(())

@@ -3,7 +3,7 @@
 use crate::l10n::Texts;
 use crate::preferences::cores;
 use luch_io::builtin;
-use luch_scene::ImageSize;
+use luch_scene::{Aim, Camera, Direction, ImageSize, Point, Scene};
 use luch_study::{Effect, Effort, Kind, Plan, Study, Subject};
 
 /// What stands in the fields.
@@ -55,18 +55,20 @@ impl Form {
         });
     }
 
-    /// The study that it means.
+    /// The study that it means, with empty scenes of the right names: reading those of models takes longer than a frame,
+    /// and [`resolve`] does it elsewhere.
     ///
     /// # Errors
     /// What is wrong, in the language of the window.
-    pub(super) fn study(&self, texts: &Texts, language: luch_study::Language) -> Result<Study, String> {
+    pub(super) fn plan(&self, texts: &Texts, language: luch_study::Language) -> Result<Plan, String> {
         let side = |text: &str| number(text, texts).map(|side| u32::try_from(side).unwrap_or(u32::MAX));
         let size = ImageSize::new(side(&self.width)?, side(&self.height)?).map_err(|_| texts.study_size_wrong())?;
         let runs = u32::try_from(number(&self.runs, texts)?).unwrap_or(u32::MAX);
         let effort = Effort { runs, size, ..Effort::of(self.kind) };
         let values = list(&self.values, texts)?;
         let threads = if self.kind == Kind::Threads { 1 } else { number(&self.threads, texts)? };
-        let subjects = self.subjects()?;
+        let subjects = if self.kind == Kind::Triangles { &[][..] } else { &self.scenes };
+        let subjects = subjects.iter().copied().map(stand_in).collect();
         let plan = match self.kind {
             Kind::Threads => Plan::Threads { subjects, threads: values, effort },
             Kind::Triangles => Plan::Triangles { triangles: values, threads, effort },
@@ -76,15 +78,33 @@ impl Form {
             }
             Kind::Tiles => Plan::Tiles { subjects, tiles: values, threads, effort },
         };
-        Study::new(plan).map_err(|error| error.text(language))
+        Study::new(plan.clone()).map_err(|error| error.text(language))?;
+        Ok(plan)
     }
+}
 
-    fn subjects(&self) -> Result<Vec<Subject>, String> {
-        if self.kind == Kind::Triangles {
-            return Ok(Vec::new());
+/// What is known of a scene before it is read.
+fn stand_in(id: &'static str) -> Subject {
+    let mut scene = Scene::new(id);
+    scene.cameras.push(Camera::new(id, Point::ORIGIN, Aim::Along(Direction::UP)));
+    Subject { id: id.to_owned(), scene }
+}
+
+/// The study of a plan, with the scenes that are meant. Reads them: a matter of seconds for models.
+///
+/// # Errors
+/// Why a scene cannot be read.
+pub(super) fn resolve(mut plan: Plan) -> Result<Study, String> {
+    let subjects = match &mut plan {
+        Plan::Threads { subjects, .. } | Plan::Rays { subjects, .. } | Plan::Tiles { subjects, .. } => {
+            &mut subjects[..]
         }
-        self.scenes.iter().map(|id| Subject::built_in(id).map_err(|error| error.to_string())).collect()
+        Plan::Triangles { .. } => &mut [],
+    };
+    for subject in subjects {
+        *subject = Subject::built_in(&subject.id).map_err(|error| error.to_string())?;
     }
+    Study::new(plan).map_err(|error| error.to_string())
 }
 
 fn number(text: &str, texts: &Texts) -> Result<u64, String> {
@@ -105,9 +125,30 @@ mod tests {
     fn the_form_means_the_study_of_the_command_line() {
         let texts = Language::En.load();
         for kind in Kind::ALL {
-            let study = Form::of(kind).study(&texts, luch_study::Language::English).unwrap();
-            assert_eq!(study.plan().kind(), kind);
-            assert_eq!(study.plan().effort(), &Effort::of(kind));
+            let plan = Form::of(kind).plan(&texts, luch_study::Language::English).unwrap();
+            assert_eq!(plan.kind(), kind);
+            assert_eq!(plan.effort(), &Effort::of(kind));
+        }
+    }
+
+    #[test]
+    fn the_form_reads_no_scene_and_the_study_has_them_all() {
+        let texts = Language::En.load();
+        for kind in [Kind::Threads, Kind::Rays, Kind::Tiles] {
+            let mut form = Form::of(kind);
+            form.toggle("chess", true);
+            let plan = form.plan(&texts, luch_study::Language::English).unwrap();
+            let ids = |plan: &Plan| plan.subjects().iter().map(|subject| subject.id.clone()).collect::<Vec<_>>();
+            assert_eq!(ids(&plan), ["one-sphere", "two-spheres", "chess"]);
+            assert!(
+                plan.subjects().iter().all(|subject| subject.scene.objects.is_empty()),
+                "{kind:?}: a scene was read"
+            );
+            form.toggle("chess", false);
+            let plan = form.plan(&texts, luch_study::Language::English).unwrap();
+            let study = resolve(plan.clone()).unwrap();
+            assert_eq!(ids(study.plan()), ids(&plan));
+            assert!(study.plan().subjects().iter().all(|subject| !subject.scene.objects.is_empty()));
         }
     }
 
@@ -118,7 +159,7 @@ mod tests {
             let wrong = |change: fn(&mut Form)| {
                 let mut form = Form::of(Kind::Threads);
                 change(&mut form);
-                form.study(&texts, words).unwrap_err()
+                form.plan(&texts, words).unwrap_err()
             };
             for error in [
                 wrong(|form| form.runs = "0".into()),

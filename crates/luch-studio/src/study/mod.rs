@@ -8,7 +8,7 @@ mod window;
 pub(crate) use window::show;
 
 use crate::l10n::Language;
-use luch_study::{Findings, Study};
+use luch_study::{Findings, Plan};
 use runner::Running;
 use std::io;
 use std::path::PathBuf;
@@ -20,7 +20,7 @@ pub(crate) enum StudyCommand {
     /// Show the window, or put it away; a study goes on without it.
     Open(bool),
     /// Begin to measure.
-    Start(Box<Study>),
+    Start(Box<Plan>),
     /// Stop measuring; what was measured stays.
     Cancel,
     /// Write report, tables and plots into a folder.
@@ -53,10 +53,10 @@ impl StudyDesk {
     ///
     /// # Errors
     /// If the system gives no thread.
-    pub(crate) fn start(&mut self, study: Study, wake: impl Fn() + Send + 'static) -> io::Result<()> {
+    pub(crate) fn start(&mut self, plan: Plan, wake: impl Fn() + Send + 'static) -> io::Result<()> {
         self.cancel();
         self.findings = None;
-        self.running = Some(Running::start(study, wake)?);
+        self.running = Some(Running::start(plan, wake)?);
         Ok(())
     }
 
@@ -88,7 +88,7 @@ impl StudyDesk {
                 self.findings = Some(Arc::new(findings));
             }
             if let Some(end) = running.end() {
-                self.findings = Some(Arc::new(running.last()));
+                self.findings = running.last().map(Arc::new);
                 self.running = None;
                 if let Err(message) = end {
                     return Some(Outcome::Failed(message));

@@ -1,8 +1,8 @@
 //! Measuring and writing, each on a thread of its own.
 
-use super::Outcome;
+use super::{Outcome, form};
 use luch_study::run::Record;
-use luch_study::{Findings, Study, StudyProgress, files, run};
+use luch_study::{Findings, Plan, StudyProgress, files, run};
 use std::io;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
@@ -16,33 +16,36 @@ use std::time::Instant;
 pub(super) struct Running {
     pub(super) progress: Arc<StudyProgress>,
     pub(super) began: Instant,
-    record: Arc<Mutex<Record>>,
+    /// `None` until the scenes are read.
+    record: Arc<Mutex<Option<Record>>>,
     /// Measurements that the findings shown were made of.
     seen: usize,
     end: Receiver<Result<(), String>>,
 }
 
 impl Running {
-    pub(super) fn start(study: Study, wake: impl Fn() + Send + 'static) -> io::Result<Self> {
+    pub(super) fn start(plan: Plan, wake: impl Fn() + Send + 'static) -> io::Result<Self> {
         let progress = Arc::new(StudyProgress::new());
-        let record = Arc::new(Mutex::new(Record::begin(&study)));
+        let record = Arc::new(Mutex::new(None));
         let (send, end) = sync_channel(1);
         let (watched, kept) = (Arc::clone(&progress), Arc::clone(&record));
         thread::Builder::new().name("luch-study".into()).spawn(move || {
             let measure = AssertUnwindSafe(|| {
-                run(&study, &watched, &mut |measurement| {
-                    lock(&kept).measurements.push(*measurement);
+                let study = form::resolve(plan)?;
+                *lock(&kept) = Some(Record::begin(&study));
+                let whole = run(&study, &watched, &mut |measurement| {
+                    if let Some(record) = &mut *lock(&kept) {
+                        record.measurements.push(*measurement);
+                    }
                     wake();
-                })
-            });
-            let outcome = match catch_unwind(measure) {
-                Ok(Ok(whole)) => {
-                    lock(&kept).partial = whole.partial;
-                    Ok(())
+                });
+                let whole = whole.map_err(|error| error.to_string())?;
+                if let Some(record) = &mut *lock(&kept) {
+                    record.partial = whole.partial;
                 }
-                Ok(Err(error)) => Err(error.to_string()),
-                Err(panic) => Err(crate::panics::message(panic.as_ref())),
-            };
+                Ok(())
+            });
+            let outcome = catch_unwind(measure).unwrap_or_else(|panic| Err(crate::panics::message(panic.as_ref())));
             // The window may be gone.
             let _ = send.send(outcome);
             wake();
@@ -57,11 +60,12 @@ impl Running {
     /// All that follows from the measurements, if there are new ones.
     pub(super) fn news(&mut self) -> Option<Findings> {
         let record = lock(&self.record);
+        let record = record.as_ref()?;
         if record.measurements.len() == self.seen {
             return None;
         }
         self.seen = record.measurements.len();
-        Some(Findings::of(&record))
+        Some(Findings::of(record))
     }
 
     /// How it ended, once. What was measured before is known by then.
@@ -70,8 +74,8 @@ impl Running {
     }
 
     /// The findings after the end, which alone know whether all was measured.
-    pub(super) fn last(&self) -> Findings {
-        Findings::of(&lock(&self.record))
+    pub(super) fn last(&self) -> Option<Findings> {
+        lock(&self.record).as_ref().map(Findings::of)
     }
 }
 
@@ -81,7 +85,7 @@ impl Drop for Running {
     }
 }
 
-fn lock(record: &Mutex<Record>) -> std::sync::MutexGuard<'_, Record> {
+fn lock(record: &Mutex<Option<Record>>) -> std::sync::MutexGuard<'_, Option<Record>> {
     record.lock().unwrap_or_else(PoisonError::into_inner)
 }
 

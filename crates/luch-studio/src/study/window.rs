@@ -8,9 +8,8 @@ use crate::panels::built_in_name;
 use crate::state::Desk;
 use crate::widgets::row;
 use egui::{ComboBox, Context, Id, ProgressBar, ScrollArea, TextEdit, Ui, Window, vec2};
-use luch_study::{Kind, Study, charts, sentences};
+use luch_study::{Kind, charts, sentences};
 use std::path::PathBuf;
-use std::sync::Arc;
 
 /// Shows the window if it is open.
 pub(crate) fn show(ctx: &Context, desk: &mut Desk<'_>) {
@@ -116,14 +115,14 @@ fn text_row(ui: &mut Ui, name: &str, text: &mut String, width: f32) {
 fn buttons(ui: &mut Ui, desk: &mut Desk<'_>, form: &Form) {
     let texts = desk.texts;
     let Some(running) = &desk.state.study.running else {
-        let checked = checked(ui, desk, form);
-        if let Err(error) = &checked.study {
+        let plan = form.plan(texts, words(desk.state.preferences.language));
+        if let Err(error) = &plan {
             row::complaint(ui, error);
         }
-        if ui.add_enabled(checked.study.is_ok(), egui::Button::new(texts.study_start())).clicked()
-            && let Ok(study) = &checked.study
+        if ui.add_enabled(plan.is_ok(), egui::Button::new(texts.study_start())).clicked()
+            && let Ok(plan) = plan
         {
-            desk.send(Command::Study(StudyCommand::Start(Box::new(study.clone()))));
+            desk.send(Command::Study(StudyCommand::Start(Box::new(plan))));
         }
         return;
     };
@@ -142,26 +141,6 @@ fn buttons(ui: &mut Ui, desk: &mut Desk<'_>, form: &Form) {
         ui.add(ProgressBar::new(share).text(text).desired_width(ui.available_width()));
     });
     ui.weak(texts.study_hands_off());
-}
-
-/// What a form means, in which language it was told.
-struct Checked {
-    form: Form,
-    language: luch_study::Language,
-    study: Result<Study, String>,
-}
-
-/// What the form means: worked out when it changes, for its scenes are read from their files.
-fn checked(ui: &Ui, desk: &Desk<'_>, form: &Form) -> Arc<Checked> {
-    let id = Id::unique("study checked");
-    let language = words(desk.state.preferences.language);
-    let known: Option<Arc<Checked>> = ui.data(|d| d.get_temp(id));
-    if let Some(known) = known.filter(|known| known.form == *form && known.language == language) {
-        return known;
-    }
-    let checked = Arc::new(Checked { form: form.clone(), language, study: form.study(desk.texts, language) });
-    ui.data_mut(|d| d.insert_temp(id, Arc::clone(&checked)));
-    checked
 }
 
 /// Sentences, plots, and a place to keep them.

@@ -412,13 +412,15 @@ impl Studio {
 
     /// Changes the scene and keeps selection and view on what they were on.
     fn change_scene(&mut self, change: impl FnOnce(&mut Document) -> Result<bool, EditError>) {
-        let anchor = self.state.selection.and_then(|part| Anchor::of(part, self.state.document.scene()));
+        let before = self.state.document.scene();
+        let anchor = self.state.selection.and_then(|part| Anchor::of(part, before));
+        let camera = self.state.view.anchor(before);
         match change(&mut self.state.document) {
             Ok(false) => {}
             Ok(true) => {
                 let scene = self.state.document.scene();
                 self.state.selection = anchor.and_then(|anchor| anchor.find(scene));
-                self.state.view.stay_within(scene);
+                self.state.view.follow(&camera, scene);
                 self.changed();
             }
             Err(error) => {

@@ -57,16 +57,84 @@ impl View {
         Some(framed.dolly(extent.center, free).pose())
     }
 
-    /// Keeps the view on a camera that exists after the list has changed.
+    /// Keeps the view on a camera that exists.
     pub(crate) fn stay_within(&mut self, scene: &Scene) {
         let last = scene.cameras.len().saturating_sub(1);
         if self.index > last {
             *self = Self { index: last, pose: None };
         }
     }
+
+    /// What must be known of the camera to find it again after the list has changed.
+    pub(crate) fn anchor(&self, scene: &Scene) -> CameraAnchor {
+        let name = scene.cameras.get(self.index).map(|camera| camera.name.clone());
+        CameraAnchor { name, count: scene.cameras.len() }
+    }
+
+    /// Keeps the view on the camera that it was on. If that is gone, another takes its place, seen from where it stands.
+    pub(crate) fn follow(&mut self, anchor: &CameraAnchor, scene: &Scene) {
+        let named = anchor.name.as_deref().and_then(|name| scene.camera_named(name));
+        if let Some(index) = named {
+            self.index = index;
+        } else if anchor.count != scene.cameras.len() {
+            self.pose = None;
+        }
+        // With as many cameras as before it has only another name.
+        self.stay_within(scene);
+    }
+}
+
+/// A camera by its name.
+#[derive(Debug, Clone)]
+pub(crate) struct CameraAnchor {
+    name: Option<String>,
+    count: usize,
 }
 
 /// Half the height of a camera's picture at distance 1.
 pub(crate) fn slope_of(camera: &Camera) -> f64 {
     (f64::from(camera.fov.get()).to_radians() * 0.5).tan()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn scene() -> Scene {
+        let mut scene = Scene::new("s");
+        for name in ["a", "b", "c"] {
+            scene.cameras.push(Camera::new(name, Point::ORIGIN, Aim::At(Point::ORIGIN)));
+        }
+        scene
+    }
+
+    fn moved(index: usize) -> View {
+        View { index, pose: Some(Pose { position: Point::ORIGIN, aim: Aim::At(Point::ORIGIN) }) }
+    }
+
+    /// The name of the camera that a view is on after an edit, and whether it keeps its pose.
+    fn after(mut view: View, edit: Edit) -> (String, bool) {
+        let mut scene = scene();
+        let anchor = view.anchor(&scene);
+        edit.apply(&mut scene).unwrap();
+        view.follow(&anchor, &scene);
+        (view.camera(&scene).unwrap().name, view.pose.is_some())
+    }
+
+    #[test]
+    fn a_view_stays_on_its_camera_whatever_happens_to_the_others() {
+        assert_eq!(after(moved(2), Edit::RemoveCamera(0)), ("c".into(), true));
+        assert_eq!(after(moved(0), Edit::RemoveCamera(2)), ("a".into(), true));
+        let another = Camera::new("d", Point::ORIGIN, Aim::At(Point::ORIGIN));
+        assert_eq!(after(moved(1), Edit::AddCamera(0, another)), ("b".into(), true));
+        let rename = |index| Edit::Camera(index, CameraEdit::Rename("d".into()));
+        assert_eq!(after(moved(1), rename(1)), ("d".into(), true));
+        assert_eq!(after(moved(1), rename(0)), ("b".into(), true));
+    }
+
+    #[test]
+    fn the_pose_of_a_camera_that_is_gone_is_not_given_to_another() {
+        assert_eq!(after(moved(1), Edit::RemoveCamera(1)), ("c".into(), false));
+        assert_eq!(after(moved(2), Edit::RemoveCamera(2)), ("b".into(), false));
+    }
 }

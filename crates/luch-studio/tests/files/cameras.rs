@@ -54,3 +54,20 @@ fn the_last_camera_stays() {
     assert_eq!(desk.harness.state().scene().cameras.len(), 1);
     assert!(!desk.says("The change was refused"), "it cannot even be asked for");
 }
+
+#[test]
+fn the_view_stays_on_its_camera_when_others_come_back() {
+    let mut desk = studio();
+    desk.open_menu(MENU, "Remove the camera");
+    desk.choose("Camera", "Camera 3");
+    // The view is moved by a key of the picture.
+    desk.click_picture(0.5, 0.02);
+    desk.key(Modifiers::NONE, Key::ArrowLeft);
+    let seen = desk.harness.state().camera().unwrap();
+    assert!(desk.says("Camera 3 *"));
+    desk.key(Modifiers::COMMAND, Key::Z);
+    assert_eq!(desk.harness.state().scene().cameras.len(), 3);
+    assert_eq!(desk.harness.state().camera().unwrap(), seen);
+    desk.key(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::Z);
+    assert_eq!(desk.harness.state().camera().unwrap(), seen);
+}

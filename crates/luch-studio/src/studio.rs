@@ -467,7 +467,8 @@ impl eframe::App for Studio {
         for command in commands.into_iter().chain(later) {
             self.apply(command, &ctx);
         }
-        if !ctx.input(|i| i.pointer.any_down()) {
+        // A key that is held repeats: all of it is one gesture, as a drag is.
+        if ctx.input(|i| !i.pointer.any_down() && i.keys_down.is_empty()) {
             self.state.document.end_gesture();
         }
         self.ask();

@@ -1,7 +1,9 @@
 //! Undo and redo bring back the scene and the very bytes of its picture, whatever was changed.
 
 use crate::support::{Desk, LANGUAGES, Words};
+use egui::accesskit::Role;
 use egui::{Key, Modifiers};
+use egui_kittest::kittest::Queryable;
 
 /// One change that a person can make.
 type Change<'a> = (&'a str, Box<dyn Fn(&mut Desk) + 'a>);
@@ -170,5 +172,29 @@ fn a_long_history_leads_back_to_the_first_picture() {
             desk.key(REDO, Key::Z);
         }
         assert!(desk.moment() == last);
+    }
+}
+
+#[test]
+fn a_key_that_is_held_on_a_slider_is_one_step_and_pressed_again_is_another() {
+    for words in LANGUAGES {
+        let mut desk = desk(words);
+        let mut moments = vec![desk.moment()];
+        desk.harness.get_by_role_and_label(Role::Slider, words.field_of_view).focus();
+        desk.settle();
+        for _ in 0..2 {
+            for _ in 0..5 {
+                desk.harness.key_down(Key::ArrowRight);
+                desk.settle();
+            }
+            desk.harness.key_up(Key::ArrowRight);
+            desk.settle();
+            moments.push(desk.moment());
+        }
+        assert!(moments[0] != moments[1] && moments[1] != moments[2]);
+        for moment in moments[..2].iter().rev() {
+            desk.key(Modifiers::COMMAND, Key::Z);
+            assert!(desk.moment() == *moment, "the held key is one step");
+        }
     }
 }

@@ -85,7 +85,6 @@ mesh-facts = { $triangles } triangles from { $path }
 intensity = Intensity
 light-color-tip = The color of the light: it multiplies I_l
 light-intensity = Light intensity
-light-intensity-tip = I_l of all lights: at 100 % a light of distance 0 has full strength, at distance K half
 no-lights = The scene has no lights
 antialiasing = Antialiasing
 antialiasing-tip = Rays spread over each pixel smooth the edges

@@ -80,7 +80,6 @@ mesh-facts = Треугольников: { $triangles }, файл { $path }
 intensity = Интенсивность
 light-color-tip = Цвет света: множитель при I_l
 light-intensity = Интенсивность света
-light-intensity-tip = I_l всех источников: при 100 % на расстоянии 0 сила полная, на расстоянии K — половина
 no-lights = В сцене нет источников света
 antialiasing = Сглаживание
 antialiasing-tip = Лучи, разбросанные по пикселю, сглаживают края

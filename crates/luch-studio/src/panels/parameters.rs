@@ -12,13 +12,15 @@ use luch_scene::{Edit, LightEdit, NonNegative, Positive, RayCount, Sampling, Sce
 pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
     light_intensity(ui, desk);
     let settings = desk.scene().settings;
-    let (texts, rays) = (desk.texts, desk.texts.rays_per_pixel());
-    let names = [texts.antialiasing(), rays.clone()];
-    if let Some((changed, gesture)) = effect(ui, desk, names, &texts.antialiasing_tip(), settings.antialiasing) {
+    let texts = desk.texts;
+    let names = [texts.antialiasing(), texts.rays_per_pixel()];
+    let tips = [texts.antialiasing_tip(), texts.rays_per_pixel_tip()];
+    if let Some((changed, gesture)) = effect(ui, desk, names, tips, settings.antialiasing) {
         desk.send(Command::Edit(Edit::Settings(SettingsEdit::SetAntialiasing(changed)), gesture));
     }
     let names = [texts.depth_of_field(), texts.rays_over_the_lens()];
-    if let Some((changed, gesture)) = effect(ui, desk, names, &texts.depth_of_field_tip(), settings.depth_of_field) {
+    let tips = [texts.depth_of_field_tip(), texts.rays_over_the_lens_tip()];
+    if let Some((changed, gesture)) = effect(ui, desk, names, tips, settings.depth_of_field) {
         desk.send(Command::Edit(Edit::Settings(SettingsEdit::SetDepthOfField(changed)), gesture));
     }
     shading_choice(ui, desk);
@@ -49,7 +51,7 @@ fn effect(
     ui: &mut Ui,
     desk: &Desk<'_>,
     [name, rays_name]: [String; 2],
-    tip: &str,
+    [tip, rays_tip]: [String; 2],
     effect: Sampling,
 ) -> Option<(Sampling, Gesture)> {
     let mut on = effect.on;
@@ -58,7 +60,7 @@ fn effect(
     ui.indent(&name, |ui| {
         ui.add_enabled_ui(on, |ui| {
             let format = NumberFormat { range: 1.0..=f64::from(RayCount::MAX), decimals: 0, suffix: "" };
-            let field = NumberField::new(&rays_name, f64::from(effect.rays.get()), format).tooltip(tip);
+            let field = NumberField::new(&rays_name, f64::from(effect.rays.get()), format).tooltip(&rays_tip);
             let field = field.slider(1.0..=256.0).logarithmic();
             if let Some((rays, gesture)) = field.show(ui, desk.texts)
                 && let Ok(rays) = RayCount::new(rays as u32)
@@ -76,7 +78,8 @@ fn shading_choice(ui: &mut Ui, desk: &mut Desk<'_>) {
     row::labelled(ui, &texts.shading(), &texts.shading_tip(), |ui, _| {
         ui.vertical(|ui| {
             for shading in Shading::ALL {
-                if ui.radio(current == shading, shading_name(texts, shading)).clicked() && current != shading {
+                let choice = ui.radio(current == shading, shading_name(texts, shading));
+                if choice.on_hover_text(texts.shading_tip()).clicked() && current != shading {
                     desk.send(Command::Edit(Edit::Settings(SettingsEdit::SetShading(shading)), Gesture::Single));
                 }
             }

@@ -40,7 +40,7 @@ fn name_field(ui: &mut Ui, desk: &mut Desk<'_>, part: Part) {
     let Some(name) = part.name(desk.scene()).map(str::to_owned) else { return };
     let scene = desk.state.scene();
     let check = |typed: &str| check_name(scene, &name, typed, texts);
-    if let Some(new) = text::field(ui, &texts.name(), &name, check) {
+    if let Some(new) = text::field(ui, &texts.name(), &texts.name_tip(), &name, check) {
         desk.send(Command::Edit(part.rename(new), Gesture::Single));
     }
 }

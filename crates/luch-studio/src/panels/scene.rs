@@ -6,7 +6,6 @@ use crate::dialogs::Dialog;
 use crate::document::Document;
 use crate::l10n::Texts;
 use crate::state::Desk;
-use crate::undo::Gesture;
 use crate::widgets::check::NumberFormat;
 use crate::widgets::number::NumberField;
 use crate::widgets::row;
@@ -39,7 +38,7 @@ fn scene_choice(ui: &mut Ui, desk: &mut Desk<'_>) {
                 }
             }
         });
-        response.response.labelled_by(label.id);
+        row::tip(&response.response.labelled_by(label.id), &texts.scene_choice_tip());
     });
 }
 
@@ -87,7 +86,7 @@ fn camera_choice(ui: &mut Ui, desk: &mut Desk<'_>) {
             item(ui, desk, Command::Show(Dialog::RenameCamera(index)), true);
             item(ui, desk, Command::RemoveCamera(index), names.len() > 1);
         });
-        response.response.labelled_by(label.id);
+        row::tip(&response.response.labelled_by(label.id), &texts.camera_choice_tip());
     });
 }
 
@@ -103,5 +102,4 @@ fn field_of_view(ui: &mut Ui, desk: &mut Desk<'_>) {
     {
         desk.send(Command::Edit(Edit::Camera(index, CameraEdit::SetFov(fov)), gesture));
     }
-    let _ = Gesture::Single;
 }

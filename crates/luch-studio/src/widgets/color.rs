@@ -12,7 +12,7 @@ pub(crate) fn field(ui: &mut Ui, texts: &Texts, name: &str, tooltip: &str, value
     let (mut typed, mut error): (Option<String>, Option<String>) = ui.data(|d| d.get_temp(id)).unwrap_or_default();
     let changed = row::labelled(ui, name, tooltip, |ui, label| {
         let (patch, picked) = picker::button(ui, texts, name, value.to_srgb8());
-        patch.labelled_by(label.id);
+        row::tip(&patch.labelled_by(label.id), tooltip);
         let picked = picked.map(|(rgb, gesture)| (Color::srgb8(rgb), gesture));
 
         // The code of a colour that eight bits cannot say is the nearest one, and changes nothing until it is typed over.
@@ -20,6 +20,7 @@ pub(crate) fn field(ui: &mut Ui, texts: &Texts, name: &str, tooltip: &str, value
         let mut text = typed.clone().unwrap_or_else(|| format!("#{r:02x}{g:02x}{b:02x}"));
         let edit = TextEdit::singleline(&mut text).id(id.with("code")).char_limit(16);
         let code = ui.add_sized(vec2(80.0, ui.spacing().interact_size.y), edit).labelled_by(label.id);
+        row::tip(&code, tooltip);
         if code.changed() {
             error = Color::from_hex(&text).is_none().then(|| texts.input_no_color(&text));
             typed = Some(text);

@@ -63,13 +63,13 @@ impl<'a> NumberField<'a> {
                 let slider = Slider::new(&mut value, range).show_value(false).logarithmic(self.logarithmic);
                 let slider = if self.format.decimals == 0 { slider.step_by(1.0) } else { slider };
                 let response = ui.add(slider).labelled_by(label.id);
-                let response = if self.tooltip.is_empty() { response } else { response.on_hover_text(self.tooltip) };
+                row::tip(&response, self.tooltip);
                 if response.changed() {
                     slid = Some((self.rounded(value), Gesture::Ongoing(response.id)));
                 }
             }
             let (response, typed) = field_of(ui, id, self.value, &self.format, field, texts);
-            response.labelled_by(label.id);
+            row::tip(&response.labelled_by(label.id), self.tooltip);
             slid.or(typed.map(|value| (value, Gesture::Single)))
         });
         show_complaint(ui, id, self.value);

@@ -21,10 +21,22 @@ pub(crate) fn labelled<R>(ui: &mut Ui, name: &str, tooltip: &str, control: impl 
                 },
             )
             .inner;
-        let label = if tooltip.is_empty() { label } else { label.on_hover_text(tooltip) };
+        tip(&label, tooltip);
         control(ui, &label)
     })
     .inner
+}
+
+/// Says of a control what it drives: to who reads the screen always, to the pointer unless somebody types, for the words
+/// would cover what is below.
+pub(crate) fn tip(control: &Response, tooltip: &str) {
+    if tooltip.is_empty() {
+        return;
+    }
+    control.ctx.accesskit_node_builder(control.id, |node| node.set_description(tooltip));
+    if !control.has_focus() {
+        control.clone().on_hover_text(tooltip).on_disabled_hover_text(tooltip);
+    }
 }
 
 /// A line below a control that says what is wrong with its input.

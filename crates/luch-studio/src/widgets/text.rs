@@ -7,16 +7,18 @@ use egui::{TextEdit, Ui, vec2};
 pub(crate) fn field(
     ui: &mut Ui,
     name: &str,
+    tooltip: &str,
     value: &str,
     check: impl Fn(&str) -> Result<(), String>,
 ) -> Option<String> {
     let id = ui.scope_id().with(("text", name));
     let (mut text, mut error): (Option<String>, Option<String>) = ui.data(|d| d.get_temp(id)).unwrap_or_default();
-    let changed = row::labelled(ui, name, "", |ui, label| {
+    let changed = row::labelled(ui, name, tooltip, |ui, label| {
         let mut shown = text.clone().unwrap_or_else(|| value.to_owned());
         let width = ui.available_width();
         let edit = TextEdit::singleline(&mut shown).id(id.with("field")).char_limit(256);
         let response = ui.add_sized(vec2(width, ui.spacing().interact_size.y), edit).labelled_by(label.id);
+        row::tip(&response, tooltip);
         if response.changed() {
             error = if shown == value { None } else { check(&shown).err() };
             text = Some(shown.clone());

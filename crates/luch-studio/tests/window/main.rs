@@ -10,5 +10,6 @@ mod live;
 mod picker;
 mod picking;
 mod snapshots;
+mod tips;
 mod typing;
 mod undo;

@@ -11,7 +11,7 @@ use luch_scene::{Edit, LightEdit, NonNegative};
 pub(super) fn show(ui: &mut Ui, desk: &mut Desk<'_>, index: usize) {
     let texts = desk.texts;
     let Some(light) = desk.scene().lights.get(index).cloned() else { return };
-    let (name, tip) = (texts.intensity(), texts.light_intensity_tip());
+    let (name, tip) = (texts.intensity(), texts.intensity_tip());
     let format = NumberFormat { range: 0.0..=100_000.0, decimals: 1, suffix: " %" };
     let field = NumberField::new(&name, f64::from(light.intensity.get()) * 100.0, format).tooltip(&tip);
     if let Some((percent, gesture)) = field.slider(0.0..=100.0).show(ui, texts)

@@ -56,12 +56,15 @@ fn checker(ui: &mut Ui, desk: &mut Desk<'_>, index: usize, checker: Option<Check
     }
     let Some(checker) = checker else { return };
     ui.indent("checker", |ui| {
-        if let Some((color, gesture)) = color::field(ui, texts, &texts.checker_color(), "", checker.color) {
+        if let Some((color, gesture)) =
+            color::field(ui, texts, &texts.checker_color(), &texts.checker_color_tip(), checker.color)
+        {
             send(Some(Checker { color, ..checker }), gesture);
         }
         let format = NumberFormat { range: 1e-9..=1e9, decimals: 3, suffix: "" };
-        let name = texts.checker_size();
-        let field = NumberField::new(&name, f64::from(checker.size.get()), format).slider(0.05..=10.0).logarithmic();
+        let (name, tip) = (texts.checker_size(), texts.checker_size_tip());
+        let field = NumberField::new(&name, f64::from(checker.size.get()), format).tooltip(&tip);
+        let field = field.slider(0.05..=10.0).logarithmic();
         if let Some((value, gesture)) = field.show(ui, texts)
             && let Ok(size) = Size::try_from(value)
         {
@@ -84,6 +87,6 @@ fn own_shading(ui: &mut Ui, desk: &mut Desk<'_>, index: usize, current: Option<S
                 }
             }
         });
-        response.response.labelled_by(label.id);
+        row::tip(&response.response.labelled_by(label.id), &texts.shading_tip());
     });
 }

@@ -20,7 +20,7 @@ const ANGLE: NumberFormat = NumberFormat { range: -1e6..=1e6, decimals: 2, suffi
 pub(super) fn show(ui: &mut Ui, desk: &mut Desk<'_>, part: Part) {
     let texts = desk.texts;
     let Some(position) = part.position(desk.scene()) else { return };
-    if let Some(to) = triple(ui, desk, &texts.position(), position.get(), &LENGTH)
+    if let Some(to) = triple(ui, desk, [texts.position(), texts.position_tip()], position.get(), &LENGTH)
         && let Ok(to) = Point::new(to)
     {
         desk.send(Command::Edit(part.move_to(to), Gesture::Single));
@@ -42,7 +42,7 @@ pub(super) fn show_shape(ui: &mut Ui, desk: &mut Desk<'_>, index: usize) {
 }
 
 fn sphere(ui: &mut Ui, desk: &Desk<'_>, center: Point, radius: Size) -> Option<(Shape, Gesture)> {
-    let (radius, gesture) = length(ui, desk, &desk.texts.radius(), radius)?;
+    let (radius, gesture) = length(ui, desk, [desk.texts.radius(), desk.texts.radius_tip()], radius)?;
     Some((Shape::Sphere { center, radius }, gesture))
 }
 
@@ -54,7 +54,8 @@ fn cuboid(
     rotation: Rotation,
 ) -> Option<(Shape, Gesture)> {
     let sides = Vec3::from_array(size.map(Size::get));
-    let typed = triple(ui, desk, &desk.texts.sides(), sides, &POSITIVE).and_then(sizes);
+    let names = [desk.texts.sides(), desk.texts.sides_tip()];
+    let typed = triple(ui, desk, names, sides, &POSITIVE).and_then(sizes);
     let turned = turn(ui, desk, rotation);
     if typed.is_none() && turned.is_none() {
         return None;
@@ -71,15 +72,18 @@ fn wall(
     size: Option<[Size; 2]>,
 ) -> Option<(Shape, Gesture)> {
     let texts = desk.texts;
-    let facing = triple(ui, desk, &texts.normal(), normal.get(), &LENGTH).and_then(|v| Direction::new(v).ok());
+    let names = [texts.normal(), texts.normal_tip()];
+    let facing = triple(ui, desk, names, normal.get(), &LENGTH).and_then(|v| Direction::new(v).ok());
     let mut bounded = size.is_some();
     let switched = ui.checkbox(&mut bounded, texts.wall_bounded()).on_hover_text(texts.wall_bounded_tip()).changed();
     let mut sides = if switched { bounded.then(|| [Size::clamped(4.0); 2]) } else { size };
     let mut gesture = Gesture::Single;
     let mut sized = false;
     if let Some([width, height]) = &mut sides {
-        for (name, side) in [(texts.wall_width(), width), (texts.wall_height(), height)] {
-            if let Some((typed, typed_gesture)) = length(ui, desk, &name, *side) {
+        let width_names = [texts.wall_width(), texts.wall_width_tip()];
+        let height_names = [texts.wall_height(), texts.wall_height_tip()];
+        for (names, side) in [(width_names, width), (height_names, height)] {
+            if let Some((typed, typed_gesture)) = length(ui, desk, names, *side) {
                 (*side, gesture, sized) = (typed, typed_gesture, true);
             }
         }
@@ -91,7 +95,7 @@ fn wall(
 fn mesh(ui: &mut Ui, desk: &Desk<'_>, instance: &MeshInstance) -> Option<(Shape, Gesture)> {
     let turned = turn(ui, desk, instance.rotation)
         .map(|rotation| (MeshInstance { rotation, ..instance.clone() }, Gesture::Single));
-    let scaled = length(ui, desk, &desk.texts.scale(), instance.scale);
+    let scaled = length(ui, desk, [desk.texts.scale(), desk.texts.scale_tip()], instance.scale);
     let scaled = scaled.map(|(scale, gesture)| (MeshInstance { scale, ..instance.clone() }, gesture));
     let triangles = instance.mesh.triangles().len();
     ui.weak(desk.texts.mesh_facts(triangles, &instance.path));
@@ -99,14 +103,16 @@ fn mesh(ui: &mut Ui, desk: &Desk<'_>, instance: &MeshInstance) -> Option<(Shape,
 }
 
 /// A length with a slider around the one it has.
-fn length(ui: &mut Ui, desk: &Desk<'_>, name: &str, value: Size) -> Option<(Size, Gesture)> {
-    let field = NumberField::new(name, f64::from(value.get()), POSITIVE).slider(0.01..=20.0).logarithmic();
+fn length(ui: &mut Ui, desk: &Desk<'_>, [name, tip]: [String; 2], value: Size) -> Option<(Size, Gesture)> {
+    let field = NumberField::new(&name, f64::from(value.get()), POSITIVE).tooltip(&tip);
+    let field = field.slider(0.01..=20.0).logarithmic();
     let (typed, gesture) = field.show(ui, desk.texts)?;
     Some((Size::try_from(typed).ok()?, gesture))
 }
 
 fn turn(ui: &mut Ui, desk: &Desk<'_>, rotation: Rotation) -> Option<Rotation> {
-    let typed = triple(ui, desk, &desk.texts.rotation(), rotation.degrees(), &ANGLE)?;
+    let names = [desk.texts.rotation(), desk.texts.rotation_tip()];
+    let typed = triple(ui, desk, names, rotation.degrees(), &ANGLE)?;
     Rotation::new(typed).ok()
 }
 
@@ -116,17 +122,17 @@ fn sizes(sides: Vec3) -> Option<[Size; 3]> {
 }
 
 /// Three numbers in a line, named by the axes.
-fn triple(ui: &mut Ui, desk: &Desk<'_>, name: &str, value: Vec3, format: &NumberFormat) -> Option<Vec3> {
-    let ids = ["x", "y", "z"].map(|axis| ui.scope_id().with((name, axis)));
+fn triple(ui: &mut Ui, desk: &Desk<'_>, [name, tip]: [String; 2], value: Vec3, format: &NumberFormat) -> Option<Vec3> {
+    let ids = ["x", "y", "z"].map(|axis| ui.scope_id().with((&name, axis)));
     let mut changed = None;
-    row::labelled(ui, name, "", |ui, _| {
+    row::labelled(ui, &name, &tip, |ui, _| {
         let gap = ui.spacing().item_spacing.x;
         let width = ((ui.available_width() - 2.0 * gap) / 3.0).max(36.0);
         for ((axis, letter), id) in ["X", "Y", "Z"].into_iter().enumerate().zip(ids) {
             let (response, typed) = field_of(ui, id, f64::from(value[axis]), format, width, desk.texts);
             let label = format!("{name} {letter}");
             response.ctx.accesskit_node_builder(response.id, |node| node.set_label(label.clone()));
-            response.on_hover_text(label);
+            row::tip(&response, &format!("{label}. {tip}"));
             if let Some(typed) = typed {
                 let mut new = value;
                 new[axis] = typed as f32;

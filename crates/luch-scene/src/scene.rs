@@ -96,6 +96,14 @@ impl Scene {
         Ok(())
     }
 
+    /// Whether a word has the form of a name, be it of a scene or of something in it.
+    ///
+    /// # Errors
+    /// [`NameError`] says why not.
+    pub fn check_form(name: &str) -> Result<(), NameError> {
+        check_form(name)
+    }
+
     /// `base`, or `base 2`, `base 3`, ...: the first that no object or light has.
     #[must_use]
     pub fn free_name(&self, base: &str) -> String {

@@ -5,11 +5,12 @@ use crate::state::Desk;
 use crate::undo::Gesture;
 use crate::widgets::check::NumberFormat;
 use crate::widgets::number::NumberField;
-use crate::widgets::{color, row};
+use crate::widgets::{color, row, text};
 use egui::Ui;
-use luch_scene::{Edit, LightEdit, NonNegative, Positive, RayCount, Sampling, SceneEdit, SettingsEdit, Shading};
+use luch_scene::{Edit, LightEdit, NonNegative, Positive, RayCount, Sampling, Scene, SceneEdit, SettingsEdit, Shading};
 
 pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
+    scene_name(ui, desk);
     light_intensity(ui, desk);
     let settings = desk.scene().settings;
     let texts = desk.texts;
@@ -25,6 +26,16 @@ pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
     }
     shading_choice(ui, desk);
     surroundings(ui, desk);
+}
+
+/// What the scene is called.
+fn scene_name(ui: &mut Ui, desk: &mut Desk<'_>) {
+    let texts = desk.texts;
+    let check = |typed: &str| Scene::check_form(typed).map_err(|_| texts.name_form());
+    let name = text::field(ui, &texts.scene_name(), &texts.scene_name_tip(), &desk.scene().name, check);
+    if let Some(name) = name {
+        desk.send(Command::Edit(Edit::Scene(SceneEdit::Rename(name)), Gesture::Single));
+    }
 }
 
 /// One slider for all lights: the strongest is shown, and all are set to what is chosen.

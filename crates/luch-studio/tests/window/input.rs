@@ -15,6 +15,7 @@ struct Complaints {
     name_taken: &'static str,
     name_form: &'static str,
     name: &'static str,
+    scene_name: &'static str,
     filter: &'static str,
     second_color: &'static str,
     background: &'static str,
@@ -31,6 +32,7 @@ const ENGLISH: Complaints = Complaints {
     name_taken: "is taken",
     name_form: "A name needs",
     name: "Name",
+    scene_name: "Scene name",
     filter: "Find by name",
     second_color: "Second color",
     background: "Background",
@@ -47,6 +49,7 @@ const RUSSIAN: Complaints = Complaints {
     name_taken: "занято",
     name_form: "В имени должно быть",
     name: "Имя",
+    scene_name: "Имя сцены",
     filter: "Найти по имени",
     second_color: "Второй цвет",
     background: "Фон",
@@ -101,7 +104,7 @@ fn every_field_for_a_number_refuses_what_is_none_and_says_why() {
             let colors = [words.color, told.second_color, told.background];
             for field in desk.fields() {
                 if colors.contains(&&*field)
-                    || [told.name, told.filter].contains(&&*field)
+                    || [told.name, told.scene_name, told.filter].contains(&&*field)
                     || !done.insert(field.clone())
                 {
                     continue;

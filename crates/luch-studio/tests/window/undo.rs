@@ -198,3 +198,20 @@ fn a_key_that_is_held_on_a_slider_is_one_step_and_pressed_again_is_another() {
         }
     }
 }
+
+#[test]
+fn a_scene_is_renamed_and_the_name_is_taken_back() {
+    for (words, [field, form]) in
+        LANGUAGES.into_iter().zip([["Scene name", "A name needs"], ["Имя сцены", "В имени должно быть"]])
+    {
+        let mut desk = desk(words);
+        let before = desk.moment();
+        desk.type_into(field, "  ");
+        assert!(desk.says(form) && desk.moment() == before);
+        desk.type_into(field, "Мой конь");
+        assert_eq!(desk.harness.state().scene().name, "Мой конь");
+        assert!(desk.picture() == before.picture);
+        desk.key(Modifiers::COMMAND, Key::Z);
+        assert!(desk.moment() == before);
+    }
+}

@@ -2,6 +2,7 @@
 
 use crate::command::Command;
 use crate::explain::{self, ExplainCommand};
+use crate::panels::list_has_focus;
 use crate::state::Desk;
 use crate::viewport;
 use egui::{Context, Id, Key, KeyboardShortcut, Modifiers, Popup};
@@ -25,8 +26,8 @@ pub(crate) fn take(ctx: &Context, desk: &mut Desk<'_>) {
         if command == Command::Select(None) && viewport::is_dragging(ctx) {
             continue;
         }
-        // A tree goes to its first row by the key that returns the view.
-        if command == Command::SetPose(None) && explain::tree_has_focus(ctx) {
+        // A list and a tree go to their first rows by the key that returns the view.
+        if command == Command::SetPose(None) && (explain::tree_has_focus(ctx) || list_has_focus(ctx)) {
             continue;
         }
         if ctx.input_mut(|i| i.consume_shortcut(&shortcut)) {

@@ -1,9 +1,10 @@
 //! The lens of the camera: how far it is sharp and how wide it is open.
 
-use crate::command::Command;
+use crate::command::{Command, Tool};
 use crate::state::Desk;
 use crate::viewport::focus;
 use crate::widgets::check::NumberFormat;
+use crate::widgets::icon::{self, Icon};
 use crate::widgets::number::NumberField;
 use egui::{Id, Ui};
 use luch_scene::{CameraEdit, Edit, NonNegative, Positive};
@@ -31,8 +32,20 @@ fn controls(ui: &mut Ui, desk: &mut Desk<'_>) {
     let format = NumberFormat { range: 1e-9..=1e9, decimals: 3, suffix: "" };
     let (name, tip) = (texts.focal_distance(), texts.focal_distance_tip());
     let focus = f64::from(camera.focus());
-    let field = NumberField::new(&name, focus, format).tooltip(&tip);
-    if let Some((value, gesture)) = field.slider(0.1..=100.0).logarithmic().show(ui, texts)
+    let field = NumberField::new(&name, focus, format).tooltip(&tip).slider(0.1..=100.0).logarithmic();
+    let changed = ui.horizontal(|ui| {
+        let width = ui.available_width() - icon::WIDTH - ui.spacing().item_spacing.x;
+        let show = |ui: &mut Ui| {
+            ui.set_width(width);
+            field.show(ui, texts)
+        };
+        let changed = ui.vertical(show).inner;
+        if icon::button(ui, Icon::Target, &texts.lens_click()).clicked() {
+            desk.send(Command::SetTool(Tool::Focus));
+        }
+        changed
+    });
+    if let Some((value, gesture)) = changed.inner
         && let Ok(distance) = Positive::try_from(value)
     {
         desk.send(Command::Edit(Edit::Camera(index, CameraEdit::SetFocalDistance(Some(distance))), gesture));

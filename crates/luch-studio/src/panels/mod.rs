@@ -10,9 +10,11 @@ mod objects;
 mod parameters;
 mod properties;
 mod render;
+mod reveal;
 mod scene;
 mod status;
 
+pub(crate) use objects::has_focus as list_has_focus;
 pub(crate) use render::duration;
 pub(crate) use scene::{built_in_name, scene_name};
 
@@ -45,6 +47,7 @@ pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
             section(ui, "parameters", &texts.panel_parameters(), desk, parameters::show);
             section(ui, "lens", &texts.panel_lens(), desk, lens::show);
             ui.add_space(8.0);
+            reveal::focused(ui);
         });
     });
     // egui gives the handle between picture and panel an English name only.

@@ -84,11 +84,12 @@ fn work_in(
     set_under_pointer(ui.ctx(), under);
     // A key that presses what has the focus is no click on a place.
     let clicked = response.clicked() && response.interact_pointer_pos().is_some();
-    if clicked {
+    // The keys belong to where one works.
+    if clicked || response.drag_started() {
         response.request_focus();
-        if desk.state.tool.selects() && is_free {
-            desk.send(Command::Select(under));
-        }
+    }
+    if clicked && desk.state.tool.selects() && is_free {
+        desk.send(Command::Select(under));
     }
     focus::show(painter, response, clicked, frame, snapshot, desk);
     ghost::draw(painter, frame.rect, snapshot, desk);

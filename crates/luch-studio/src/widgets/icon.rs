@@ -1,5 +1,6 @@
 //! Small drawings of the kinds of things in a scene. Fonts have no sign for them.
 
+use crate::l10n::Texts;
 use crate::selection::Part;
 use egui::{Color32, Painter, Pos2, Rect, Response, Sense, Shape as Mark, Stroke, Ui, pos2, vec2};
 use luch_scene::{Scene, Shape};
@@ -16,6 +17,8 @@ pub(crate) enum Icon {
     Shown,
     /// A closed eye.
     Hidden,
+    /// A cross in a circle: a place to be clicked.
+    Target,
 }
 
 impl Icon {
@@ -29,6 +32,19 @@ impl Icon {
                 Some(Shape::Mesh(_)) => Self::Mesh,
                 Some(Shape::Sphere { .. }) | None => Self::Sphere,
             },
+        }
+    }
+
+    /// What the kind of thing is called.
+    fn kind(self, texts: &Texts) -> String {
+        match self {
+            Self::Sphere => texts.kind_sphere(),
+            Self::Cube => texts.kind_cube(),
+            Self::Wall => texts.kind_wall(),
+            Self::Mesh => texts.kind_mesh(),
+            Self::Lamp => texts.kind_lamp(),
+            // These are no things; their buttons have names of their own.
+            Self::Shown | Self::Hidden | Self::Target => String::new(),
         }
     }
 
@@ -61,6 +77,12 @@ impl Icon {
                 line(&[at(-2.0, 4.5), at(2.0, 4.5)]);
                 line(&[at(-1.2, 6.8), at(1.2, 6.8)]);
             }
+            Self::Target => {
+                painter.circle_stroke(center, 4.5, stroke);
+                for (x, y) in [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)] {
+                    line(&[at(x * 2.5, y * 2.5), at(x * 7.0, y * 7.0)]);
+                }
+            }
             Self::Shown | Self::Hidden => {
                 let lid = |bend: f32| (-6_i8..=6).map(f32::from).map(move |x| (x, bend * (1.0 - x * x / 36.0)));
                 let curve = |bend: f32| lid(bend).map(|(x, y)| at(x, y)).collect::<Vec<_>>();
@@ -78,9 +100,21 @@ impl Icon {
     }
 }
 
+/// The width of a drawing that can be clicked, in points.
+pub(crate) const WIDTH: f32 = 20.0;
+
 /// A drawing that can be clicked; `name` is what a screen reader says.
-pub(crate) fn button(ui: &mut Ui, icon: Icon, name: &str, faint: bool) -> Response {
-    let (rect, response) = ui.allocate_exact_size(vec2(20.0, 18.0), Sense::click());
+pub(crate) fn button(ui: &mut Ui, icon: Icon, name: &str) -> Response {
+    sensing(ui, icon, name, false, Sense::click())
+}
+
+/// The same in a row of a list, which has the focus for its rows.
+pub(crate) fn button_in_row(ui: &mut Ui, icon: Icon, name: &str, faint: bool) -> Response {
+    sensing(ui, icon, name, faint, Sense::CLICK)
+}
+
+fn sensing(ui: &mut Ui, icon: Icon, name: &str, faint: bool, sense: Sense) -> Response {
+    let (rect, response) = ui.allocate_exact_size(vec2(WIDTH, 18.0), sense);
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, ui.is_enabled(), name));
     let visuals = ui.style().interact(&response);
     if response.hovered() || response.has_focus() {
@@ -95,9 +129,12 @@ pub(crate) fn button(ui: &mut Ui, icon: Icon, name: &str, faint: bool) -> Respon
     response.on_hover_text(name)
 }
 
-/// A drawing that says something and does nothing.
-pub(crate) fn label(ui: &mut Ui, icon: Icon) {
-    let (rect, _) = ui.allocate_exact_size(vec2(18.0, 18.0), Sense::hover());
+/// A drawing that says of what kind a thing is, and does nothing.
+pub(crate) fn kind(ui: &mut Ui, icon: Icon, texts: &Texts) {
+    let (rect, response) = ui.allocate_exact_size(vec2(18.0, 18.0), Sense::hover());
+    let name = icon.kind(texts);
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, &name));
+    response.on_hover_text(name);
     icon.paint(
         ui.painter(),
         Rect::from_center_size(pos2(rect.center().x, rect.center().y), vec2(16.0, 16.0)),

@@ -123,3 +123,18 @@ fn a_click_beside_everything_changes_nothing_and_says_so() {
         desk.harness.get_by_label(terms.nothing);
     }
 }
+
+#[test]
+fn the_tool_is_at_hand_beside_the_focal_distance() {
+    let buttons = ["Click in the picture what is to be sharp", "Щёлкнуть на изображении то, что должно быть резким"];
+    for (terms, button) in TERMS.iter().zip(buttons) {
+        let mut desk = Desk::new(terms.words);
+        let before = focus(&desk);
+        desk.scroll_to(Role::Button, button);
+        desk.press(button);
+        let [across, down] = middle_of_sphere();
+        desk.click_picture(across, down);
+        assert!(desk.says(terms.is_set));
+        assert_ne!(focus(&desk), before);
+    }
+}

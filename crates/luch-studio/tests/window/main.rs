@@ -4,6 +4,7 @@
 mod support;
 
 mod input;
+mod keyboard;
 mod language;
 mod layout;
 mod live;

@@ -65,3 +65,18 @@ fn the_intensity_of_one_light_is_not_that_of_all() {
         }
     }
 }
+
+#[test]
+fn the_kind_of_each_thing_in_the_list_has_a_name() {
+    for (words, kinds) in LANGUAGES
+        .into_iter()
+        .zip([["Model", "Cube", "Sphere", "Wall", "Lamp"], ["Модель", "Куб", "Сфера", "Стена", "Лампа"]])
+    {
+        let mut desk = Desk::new(words);
+        desk.choose(words.scene, words.knight);
+        for kind in kinds {
+            let found = desk.harness.query_all_by_role_and_label(Role::Image, kind).count();
+            assert!(found > 0, "nothing in the list is called {kind}");
+        }
+    }
+}

@@ -58,7 +58,7 @@ fn the_last_camera_stays() {
 #[test]
 fn the_view_stays_on_its_camera_when_others_come_back() {
     let mut desk = studio();
-    desk.open_menu(MENU, "Remove the camera");
+    desk.camera_command("Remove the camera");
     desk.choose("Camera", "Camera 3");
     // The view is moved by a key of the picture.
     desk.click_picture(0.5, 0.02);

@@ -28,6 +28,12 @@ impl Desk {
     }
 
     fn drop_files(&mut self, paths: &[&Path], modifiers: Modifiers) {
+        self.let_go_of(paths, modifiers);
+        self.settle();
+    }
+
+    /// Drops files and waits for nothing.
+    pub(crate) fn let_go_of(&mut self, paths: &[&Path], modifiers: Modifiers) {
         self.harness.input_mut().hovered_files.clear();
         self.harness.event(egui::Event::ModifiersChanged(modifiers));
         self.harness.step();
@@ -36,7 +42,7 @@ impl Desk {
         }
         self.harness.step();
         self.harness.event(egui::Event::ModifiersChanged(Modifiers::NONE));
-        self.settle();
+        self.steps(2);
     }
 }
 

@@ -6,12 +6,13 @@ use egui::{Key, Modifiers};
 use luch_studio::Start;
 use std::fmt::Write;
 use std::path::PathBuf;
+use std::time::Duration;
 
 const LOADING: &str = "Loading the scene…";
 
 /// A model that takes long to read: by far longer than a small picture takes.
 fn large_model(folder: &Folder) -> PathBuf {
-    let side = 700;
+    let side = 1000;
     let mut text = String::new();
     for (x, y) in (0..side).flat_map(|y| (0..side).map(move |x| (x, y))) {
         writeln!(text, "v {x} {} {y}", (x * y) % 7).unwrap();
@@ -30,12 +31,7 @@ fn what_is_changed_while_a_scene_is_read_is_seen() {
     let mut desk = studio();
     desk.resize(80, 60);
     let before = desk.picture();
-    desk.key(Modifiers::COMMAND, Key::O);
-    desk.begin_typing("Path", &model.display().to_string());
-    desk.harness.key_press(Key::Enter);
-    desk.steps(2);
-    desk.harness.key_press(Key::Escape);
-    desk.steps(2);
+    desk.let_go_of(&[&model], Modifiers::SHIFT);
     assert!(desk.says(LOADING));
     desk.harness.key_press(Key::Num2);
     desk.wait(|desk| desk.picture() != before);
@@ -46,12 +42,45 @@ fn what_is_changed_while_a_scene_is_read_is_seen() {
 }
 
 #[test]
-fn a_window_opened_with_a_large_model_is_not_blank_for_long() {
+fn a_window_opened_with_a_large_model_has_a_picture_while_it_is_read() {
     let folder = Folder::new();
     let model = large_model(&folder);
-    let start = Start { scene: luch_io::SceneSource::of_path(&model), ..Start::default() };
+    let scene = luch_io::SceneSource::of_path(&model);
+    let start = Start { scene, first_waits: Some(Duration::ZERO), ..Start::default() };
     let mut desk = Desk::opening(LANGUAGES[0], start, [1280.0, 800.0], 1.0);
     desk.wait(|desk| desk.harness.state().picture().is_some());
     assert!(desk.says(LOADING));
     desk.press("Cancel");
+}
+
+#[test]
+fn who_closes_the_dialog_wants_no_scene_of_it() {
+    let folder = Folder::new();
+    let model = large_model(&folder);
+    let mut desk = studio();
+    desk.key(Modifiers::COMMAND, Key::O);
+    desk.begin_typing("Path", &model.display().to_string());
+    desk.harness.key_press(Key::Enter);
+    desk.steps(2);
+    assert!(desk.says(LOADING));
+    desk.press_top("Cancel");
+    assert_eq!(desk.harness.state().scene().name, "Two spheres");
+    desk.open_menu("Add", "Model…");
+    desk.begin_typing("Path", &model.display().to_string());
+    desk.harness.key_press(Key::Enter);
+    desk.steps(2);
+    assert!(desk.says("Reading…"));
+    desk.press_top("Cancel");
+    assert!(desk.harness.state().scene().object_named("large").is_none());
+}
+
+#[test]
+fn a_new_scene_is_not_replaced_by_one_that_was_asked_for_before() {
+    let folder = Folder::new();
+    let model = large_model(&folder);
+    let mut desk = studio();
+    desk.let_go_of(&[&model], Modifiers::SHIFT);
+    assert!(desk.says(LOADING));
+    desk.open_menu("File", "New scene");
+    assert_eq!(desk.harness.state().scene().name, "New scene");
 }

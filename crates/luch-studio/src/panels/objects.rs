@@ -60,7 +60,8 @@ pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
         ui.ctx().accesskit_node_builder(id, |node| node.set_active_descendant(active));
     }
     if list.has_focus() {
-        ui.painter().rect_stroke(output.inner_rect, 2.0, ui.visuals().selection.stroke, StrokeKind::Outside);
+        let frame = output.inner_rect.expand2(vec2(4.0, 2.0));
+        ui.painter().rect_stroke(frame, 2.0, ui.visuals().selection.stroke, StrokeKind::Inside);
     }
 }
 

@@ -144,7 +144,7 @@ impl Studio {
             }
             Ok(mut scene) => {
                 if scene.cameras.is_empty() {
-                    scene.cameras.push(scenes::default_camera(&scene));
+                    scene.cameras.push(scenes::default_camera(&scene, &self.texts));
                 }
                 if let Some(path) = source.path() {
                     self.state.preferences.remember(path);

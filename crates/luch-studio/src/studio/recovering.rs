@@ -30,7 +30,7 @@ impl Studio {
         match scene {
             Ok(mut scene) => {
                 if scene.cameras.is_empty() {
-                    scene.cameras.push(scenes::default_camera(&scene));
+                    scene.cameras.push(scenes::default_camera(&scene, &self.texts));
                 }
                 let source = from.source().cloned();
                 self.close_dialog(ctx);

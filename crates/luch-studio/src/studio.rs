@@ -61,8 +61,6 @@ pub struct Start {
     pub data_dir: Option<PathBuf>,
     /// How long a change may wait until it is safe; `None`: 20 seconds.
     pub keep_every: Option<Duration>,
-    /// How long the first picture waits for `scene`, which is most often soon there; `None`: 300 milliseconds.
-    pub first_waits: Option<Duration>,
     /// Whether to show the same times and figures of the machine every time: for pictures of the window.
     pub still: bool,
     /// Is told when the window and its first pictures are there.
@@ -87,8 +85,6 @@ pub struct Studio {
     stale: bool,
     /// Since when the first picture waits.
     waits: Option<Instant>,
-    /// How long it does.
-    first_waits: Duration,
     /// Whether the window is to be closed, whatever is unsaved.
     leaving: bool,
     /// What the window's frame says.
@@ -149,7 +145,6 @@ impl Studio {
             later: Vec::new(),
             stale: true,
             waits: None,
-            first_waits: start.first_waits.unwrap_or(FIRST_WAITS),
             leaving: false,
             title: String::new(),
             milestones: Milestones::new(start.milestone),
@@ -262,7 +257,7 @@ impl Studio {
 
     fn awaits_first_scene(&mut self) -> bool {
         let loads = self.loader.source().is_some() && !self.render.has_asked();
-        loads && self.waits.get_or_insert_with(Instant::now).elapsed() < self.first_waits
+        loads && self.waits.get_or_insert_with(Instant::now).elapsed() < FIRST_WAITS
     }
 
     /// The one place where the window's state changes.

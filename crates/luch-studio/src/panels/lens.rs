@@ -33,19 +33,14 @@ fn controls(ui: &mut Ui, desk: &mut Desk<'_>) {
     let (name, tip) = (texts.focal_distance(), texts.focal_distance_tip());
     let focus = f64::from(camera.focus());
     let field = NumberField::new(&name, focus, format).tooltip(&tip).slider(0.1..=100.0).logarithmic();
-    let changed = ui.horizontal(|ui| {
-        let width = ui.available_width() - icon::WIDTH - ui.spacing().item_spacing.x;
-        let show = |ui: &mut Ui| {
-            ui.set_width(width);
-            field.show(ui, texts)
-        };
-        let changed = ui.vertical(show).inner;
-        if icon::button(ui, Icon::Target, &texts.lens_click()).clicked() {
-            desk.send(Command::SetTool(Tool::Focus));
-        }
-        changed
-    });
-    if let Some((value, gesture)) = changed.inner
+    let room = icon::WIDTH + ui.spacing().item_spacing.x;
+    let mut clicked = false;
+    let click = |ui: &mut Ui| clicked = icon::button(ui, Icon::Target, &texts.lens_click()).clicked();
+    let changed = field.show_with(ui, texts, room, click);
+    if clicked {
+        desk.send(Command::SetTool(Tool::Focus));
+    }
+    if let Some((value, gesture)) = changed
         && let Ok(distance) = Positive::try_from(value)
     {
         desk.send(Command::Edit(Edit::Camera(index, CameraEdit::SetFocalDistance(Some(distance))), gesture));

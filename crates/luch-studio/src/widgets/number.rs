@@ -53,12 +53,24 @@ impl<'a> NumberField<'a> {
 
     /// Shows the line; answers with a new number when there is one.
     pub(crate) fn show(self, ui: &mut Ui, texts: &Texts) -> Option<(f64, Gesture)> {
+        self.show_with(ui, texts, 0.0, |_| ())
+    }
+
+    /// The same with something more at the end of the line, which takes so many points.
+    pub(crate) fn show_with(
+        self,
+        ui: &mut Ui,
+        texts: &Texts,
+        room: f32,
+        more: impl FnOnce(&mut Ui),
+    ) -> Option<(f64, Gesture)> {
         let id = ui.scope_id().with(("number", self.name));
         let changed = row::labelled(ui, self.name, self.tooltip, |ui, label| {
             let field = 72.0;
             let mut slid = None;
             if let Some(range) = self.slider.clone() {
-                ui.spacing_mut().slider_width = (ui.available_width() - field - ui.spacing().item_spacing.x).max(24.0);
+                ui.spacing_mut().slider_width =
+                    (ui.available_width() - field - room - ui.spacing().item_spacing.x).max(24.0);
                 let mut value = self.value;
                 let slider = Slider::new(&mut value, range).show_value(false).logarithmic(self.logarithmic);
                 let slider = if self.format.decimals == 0 { slider.step_by(1.0) } else { slider };
@@ -70,6 +82,7 @@ impl<'a> NumberField<'a> {
             }
             let (response, typed) = field_of(ui, id, self.value, &self.format, field, texts);
             row::tip(&response.labelled_by(label.id), self.tooltip);
+            more(ui);
             slid.or(typed.map(|value| (value, Gesture::Single)))
         });
         show_complaint(ui, id, self.value);

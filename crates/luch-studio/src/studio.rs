@@ -1,7 +1,9 @@
 //! The studio: takes in what happened, shows the panels, applies the commands that they queued.
 
 mod adding;
+mod applying;
 mod dropping;
+mod editing;
 mod explaining;
 mod exporting;
 mod files;
@@ -13,11 +15,11 @@ mod typing;
 pub(crate) use explaining::PATIENCE;
 
 use crate::command::Command;
-use crate::dialogs::{self, Dialog};
+use crate::dialogs;
 use crate::document::Document;
 use crate::explain::{Copier, Explain, Explainer};
 use crate::figures::Figures;
-use crate::files::{ChooseFile, Files, Purpose, Recovery};
+use crate::files::{ChooseFile, Files, Recovery};
 use crate::l10n::{self, Texts};
 use crate::loader::Loader;
 use crate::milestone::{Milestone, Milestones};
@@ -25,18 +27,15 @@ use crate::notices::{Notices, Severity};
 use crate::panels;
 use crate::preferences::Preferences;
 use crate::render_link::RenderLink;
-use crate::selection::{Anchor, Part};
 use crate::shortcuts;
 use crate::state::{Desk, State};
-use crate::study::{self, Outcome, StudyCommand, StudyDesk};
-use crate::told;
-use crate::undo::Gesture;
+use crate::study::{self, Outcome, StudyDesk};
 use crate::view::View;
 use crate::viewport;
 use egui::{Context, Ui};
 use luch_io::SceneSource;
 use luch_render::session::live::LivePhase;
-use luch_scene::{Camera, Edit, EditError, Scene};
+use luch_scene::{Camera, Scene};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
@@ -258,176 +257,6 @@ impl Studio {
     fn awaits_first_scene(&mut self) -> bool {
         let loads = self.loader.source().is_some() && !self.render.has_asked();
         loads && self.waits.get_or_insert_with(Instant::now).elapsed() < FIRST_WAITS
-    }
-
-    /// The one place where the window's state changes.
-    fn apply(&mut self, command: Command, ctx: &Context) {
-        match command {
-            Command::New | Command::Open(_) | Command::OpenDialog | Command::Recover(_) | Command::Quit => {
-                self.unless_unsaved(command, ctx);
-            }
-            Command::Drop { paths, alone } => self.take_dropped(paths, alone, ctx),
-            Command::ExportDialog => self.open_dialog(Dialog::Export, ctx),
-            Command::Export(form) => self.export(*form, ctx),
-            Command::CancelExport => {
-                if let Some(export) = &self.files.export {
-                    export.cancel();
-                }
-            }
-            Command::QuitWithoutExport => {
-                self.close_dialog(ctx);
-                self.leave(ctx);
-            }
-            Command::DiscardRecovered(index) => self.discard_recovered(index, ctx),
-            Command::RemoveCamera(index) => self.remove_camera(index),
-            Command::Discard(command) => {
-                self.close_dialog(ctx);
-                self.replace_scene(*command, ctx);
-            }
-            Command::OpenPath(path) => self.load_path(ctx, path),
-            Command::Save => self.save(None, ctx),
-            Command::SaveAs => self.open_dialog(Dialog::Path { purpose: Purpose::Save, then: None }, ctx),
-            Command::SaveTo { path, replace, then } => self.save_to(path, replace, then, ctx),
-            Command::SaveThen(command) => {
-                self.close_dialog(ctx);
-                self.save(Some(command), ctx);
-            }
-            Command::Add(what) => self.add(what),
-            Command::AddModelDialog => {
-                self.open_dialog(Dialog::Path { purpose: Purpose::AddModel, then: None }, ctx);
-            }
-            Command::AddModels(paths) => self.add_models(paths, ctx),
-            Command::AddCamera => self.add_camera(),
-            Command::ListFolder(folder, purpose) => {
-                let started = self.files.list(folder, purpose, ctx);
-                self.tell_internal(started);
-            }
-            Command::Browse(question) => {
-                let started = self.files.choose(question, ctx);
-                self.tell_internal(started);
-            }
-            Command::ForgetChosen => self.files.forget_chosen(),
-            Command::ForgetComplaint => self.state.complaint = None,
-            Command::Edit(edit, gesture) => self.edit(edit, gesture),
-            Command::TakeBack(gesture) => self.change_scene(|document| document.take_back(gesture)),
-            Command::Undo => self.turn(Document::undo),
-            Command::Redo => self.turn(Document::redo),
-            Command::Select(part) => self.state.selection = part.filter(|part| part.exists(self.state.scene())),
-            Command::Duplicate => self.edit_selected(Part::duplicate),
-            Command::Delete => self.edit_selected(Part::remove),
-            Command::ToggleHidden => {
-                let scene = self.state.document.scene().clone();
-                self.edit_selected(|part| part.set_hidden(!part.is_hidden(&scene)));
-            }
-            Command::ChooseCamera(index) => self.choose_camera(index),
-            Command::SetPose(pose) => self.set_pose(pose),
-            Command::Frame => self.frame(),
-            Command::StorePose => self.store_pose(),
-            Command::FocusAt(distance) => self.focus_at(distance),
-            Command::Render => self.show_anew(),
-            Command::Cancel => {
-                self.loader.stop();
-                self.files.stop_adding();
-                self.render.stop();
-            }
-            Command::SetLive(live) => {
-                self.state.preferences.live = live;
-                if live && self.state.pending {
-                    self.show_anew();
-                }
-            }
-            Command::SetThreads(threads) => {
-                self.state.preferences.threads = threads;
-                self.changed();
-            }
-            Command::SetLanguage(language) => {
-                self.state.preferences.language = language;
-                self.texts = language.load();
-            }
-            Command::SetTheme(theme) => {
-                self.state.preferences.theme = theme;
-                ctx.set_theme(theme);
-            }
-            Command::SetTool(tool) => self.state.tool = tool,
-            Command::SetZoom(zoom) => self.state.zoom = zoom,
-            Command::SetIntegrator(integrator) => {
-                self.state.integrator = integrator;
-                self.changed();
-            }
-            Command::Explain(command) => self.apply_explain(command, ctx),
-            Command::AfterTyping(command) => self.after_typing(*command, ctx),
-            Command::Show(dialog) => {
-                self.state.dialog = Some(dialog);
-                self.state.complaint = None;
-            }
-            Command::CloseDialog => self.leave_dialog(ctx),
-            Command::HintsRead => self.state.preferences.hints_read = true,
-            Command::DismissNotice(id) => self.state.notices.dismiss(id),
-            Command::Study(command) => self.study(command, ctx),
-        }
-    }
-
-    /// Tells that the system gave no thread.
-    fn tell_internal(&mut self, started: std::io::Result<()>) {
-        if let Err(error) = started {
-            self.state.notices.error(self.texts.notice_internal(), error.to_string());
-        }
-    }
-
-    fn study(&mut self, command: StudyCommand, ctx: &Context) {
-        let wake = ctx.clone();
-        let wake = move || wake.request_repaint();
-        let begun = match command {
-            StudyCommand::Open(open) => {
-                self.state.study.open = open;
-                Ok(())
-            }
-            StudyCommand::Start(plan) => self.state.study.start(*plan, wake),
-            StudyCommand::Cancel => {
-                self.state.study.cancel();
-                Ok(())
-            }
-            StudyCommand::Save(folder) => self.state.study.save(folder, self.state.preferences.language, wake),
-        };
-        self.tell_internal(begun);
-    }
-
-    fn edit(&mut self, edit: Edit, gesture: Gesture) {
-        let added = Part::added_by(&edit);
-        self.change_scene(|document| document.apply(edit, gesture).map(|()| true));
-        if let Some(part) = added.filter(|part| part.exists(self.state.scene())) {
-            self.state.selection = Some(part);
-        }
-    }
-
-    fn edit_selected(&mut self, edit: impl FnOnce(Part) -> Edit) {
-        if let Some(part) = self.state.selection {
-            self.edit(edit(part), Gesture::Single);
-        }
-    }
-
-    fn turn(&mut self, turn: fn(&mut Document) -> Result<bool, EditError>) {
-        self.change_scene(turn);
-    }
-
-    /// Changes the scene and keeps selection and view on what they were on.
-    fn change_scene(&mut self, change: impl FnOnce(&mut Document) -> Result<bool, EditError>) {
-        let before = self.state.document.scene();
-        let anchor = self.state.selection.and_then(|part| Anchor::of(part, before));
-        let camera = self.state.view.anchor(before);
-        match change(&mut self.state.document) {
-            Ok(false) => {}
-            Ok(true) => {
-                let scene = self.state.document.scene();
-                self.state.selection = anchor.and_then(|anchor| anchor.find(scene));
-                self.state.view.follow(&camera, scene);
-                self.changed();
-            }
-            Err(error) => {
-                let why = told::edit_error(&error, &self.texts);
-                self.state.notices.error(self.texts.notice_edit_refused(), why);
-            }
-        }
     }
 
     /// Draws again in time for progress to be seen, and not at all when nothing goes on.

@@ -87,6 +87,18 @@ impl Desk {
         self.key(Modifiers::NONE, Key::Tab);
     }
 
+    /// Starts a picture that takes minutes.
+    fn begin_long_export(&mut self, path: &Path) {
+        self.open_menu("File", "Export picture…");
+        for (name, value) in [("Picture width", "3000"), ("Picture height", "3000")] {
+            self.type_last(name, value);
+        }
+        self.tick_last("Antialiasing");
+        self.type_last("Rays per pixel", "4096");
+        self.enter_path(path);
+        self.wait(|desk| !desk.offers("Browse…"));
+    }
+
     fn tick_last(&mut self, name: &str) {
         self.harness.query_all_by_role_and_label(egui::accesskit::Role::CheckBox, name).last().unwrap().click();
         self.settle();
@@ -141,14 +153,7 @@ fn a_view_of_counts_is_exported_with_its_scale() {
 fn one_goes_on_working_and_can_cancel() {
     let folder = Folder::new();
     let mut desk = studio_with(&folder.write("ball.toml", BALL));
-    desk.open_menu("File", "Export picture…");
-    for (name, value) in [("Picture width", "3000"), ("Picture height", "3000")] {
-        desk.type_last(name, value);
-    }
-    desk.tick_last("Antialiasing");
-    desk.type_last("Rays per pixel", "4096");
-    desk.enter_path(&folder.path("a.png"));
-    desk.wait(|desk| !desk.offers("Browse…"));
+    desk.begin_long_export(&folder.path("a.png"));
     desk.type_into("Field of view", "33");
     assert_eq!(desk.harness.state().scene().cameras[0].fov.get(), 33.0);
     assert!(desk.says("Export: a.png"));
@@ -170,14 +175,7 @@ fn one_goes_on_working_and_can_cancel() {
 fn who_drops_changes_is_still_asked_about_the_picture_on_its_way() {
     let folder = Folder::new();
     let mut desk = studio_with(&folder.write("ball.toml", BALL));
-    desk.open_menu("File", "Export picture…");
-    for (name, value) in [("Picture width", "3000"), ("Picture height", "3000")] {
-        desk.type_last(name, value);
-    }
-    desk.tick_last("Antialiasing");
-    desk.type_last("Rays per pixel", "4096");
-    desk.enter_path(&folder.path("a.png"));
-    desk.wait(|desk| !desk.offers("Browse…"));
+    desk.begin_long_export(&folder.path("a.png"));
     desk.alter();
     desk.key(Modifiers::COMMAND, Key::Q);
     desk.press_top("Do not save");

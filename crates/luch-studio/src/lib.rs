@@ -55,5 +55,11 @@ pub fn run(mut start: Start) -> Result<(), String> {
     let options = eframe::NativeOptions { viewport, ..Default::default() };
     let create: eframe::AppCreator<'_> =
         Box::new(|creation| Ok(Box::new(Studio::new(creation, start)?) as Box<dyn eframe::App>));
-    eframe::run_native(APP_ID, options, create).map_err(|error| error.to_string())
+    eframe::run_native(APP_ID, options, create).map_err(|error| words_of_system(&error.to_string()).to_owned())
+}
+
+/// What the system said of an error. The window library puts the place in its own source before it.
+fn words_of_system(error: &str) -> &str {
+    let after_place = error.split_once("os error at ").and_then(|(_, rest)| rest.split_once(": "));
+    after_place.map_or(error, |(_, words)| words)
 }

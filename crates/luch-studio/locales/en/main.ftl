@@ -45,6 +45,7 @@ camera-choice-tip = The cameras of the scene, to choose, add, rename and remove;
 field-of-view = Field of view
 field-of-view-tip = The vertical angle that the camera sees, in degrees
 objects-filter = Find by name
+objects-none = The scene has no objects and no lights
 objects-none-found = Nothing has such a name
 # $name (String) - the object
 objects-hide = Hide: { $name }

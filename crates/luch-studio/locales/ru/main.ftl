@@ -45,6 +45,7 @@ camera-choice-tip = Камеры сцены: выбрать, добавить, �
 field-of-view = Поле зрения
 field-of-view-tip = Вертикальный угол, который видит камера, в градусах
 objects-filter = Найти по имени
+objects-none = В сцене нет ни объектов, ни источников света
 objects-none-found = С таким именем ничего нет
 objects-hide = Скрыть: { $name }
 objects-show = Показать: { $name }

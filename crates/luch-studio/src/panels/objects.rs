@@ -20,7 +20,8 @@ pub(crate) fn show(ui: &mut Ui, desk: &mut Desk<'_>) {
     let filter = filter_field(ui, desk);
     let rows = Rows::of(ui, desk, &filter);
     if rows.len() == 0 {
-        ui.weak(desk.texts.objects_none_found());
+        let is_filtered = !filter.is_empty();
+        ui.weak(if is_filtered { desk.texts.objects_none_found() } else { desk.texts.objects_none() });
         return;
     }
     let id = list_id();

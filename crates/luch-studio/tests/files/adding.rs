@@ -90,3 +90,17 @@ fn names_are_in_the_language_of_the_window() {
     let [lo, _] = bounds(desk.harness.state().scene(), "Сфера");
     assert!(lo.is_finite());
 }
+
+#[test]
+fn an_empty_scene_says_that_it_is_empty() {
+    let mut desk = crate::desk::studio();
+    desk.open_menu("File", "New scene");
+    desk.begin_typing("Find by name", "nobody");
+    assert!(desk.says("Nothing has such a name"));
+    desk.begin_typing("Find by name", "");
+    desk.select_in_list("Lamp");
+    desk.key(Modifiers::NONE, Key::Delete);
+    assert!(desk.says("The scene has no objects and no lights"));
+    desk.open_menu("Add", "Sphere");
+    assert!(!desk.says("The scene has no objects and no lights"));
+}

@@ -23,6 +23,7 @@ fn without_a_display_the_studio_says_what_to_do_instead() {
         assert_eq!(code, Some(1), "{args:?}: {stderr}");
         assert!(stderr.contains("no window can be opened"), "{args:?}: {stderr}");
         assert!(stderr.contains("luch render SCENE -o"), "{args:?}: {stderr}");
+        assert!(!stderr.contains(".rs"), "{args:?} tells of a source file: {stderr}");
         assert!(!stderr.contains("panic") && !stderr.contains("internal error"), "{args:?}: {stderr}");
     }
 }

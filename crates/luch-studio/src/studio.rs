@@ -34,7 +34,7 @@ use crate::view::View;
 use crate::viewport;
 use egui::{Context, Ui};
 use luch_io::SceneSource;
-use luch_render::session::live::LivePhase;
+use luch_render::session::live::{LivePhase, LiveSession};
 use luch_scene::{Camera, Scene};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
@@ -201,6 +201,9 @@ impl Studio {
         self.take_files(ctx);
         self.render.poll(ctx);
         if let Some(message) = self.render.failure() {
+            let is_too_large = self.state.scene().settings.size.pixels() > LiveSession::MAX_PIXELS;
+            let millions = LiveSession::MAX_PIXELS / 1_000_000;
+            let message = if is_too_large { self.texts.render_too_large(millions) } else { message };
             self.state.notices.error(self.texts.notice_render_failed(), message);
         }
         self.follow_explained(ctx);

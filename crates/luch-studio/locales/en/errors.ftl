@@ -5,6 +5,10 @@ error-limit = It is larger than may be:
 error-output = The file cannot be written:
 error-cancelled = Stopped:
 
+## Why there is no picture
+# $millions (Number) - of pixels
+render-too-large = Pictures of more than { $millions } million pixels are not shown while they are made. Choose a smaller size, or export the picture: it may be larger in a file.
+
 ## Why a change is refused
 edit-no-such = It is not in the scene any more
 edit-last-camera = A scene needs a camera: the last one stays

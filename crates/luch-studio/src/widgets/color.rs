@@ -1,5 +1,6 @@
 //! A colour: a patch that opens a picker, and its hex code.
 
+use super::left::Left;
 use super::{picker, row};
 use crate::l10n::Texts;
 use crate::undo::Gesture;
@@ -9,7 +10,11 @@ use luch_scene::Color;
 /// Shows a line with a colour; answers with a new one when there is one.
 pub(crate) fn field(ui: &mut Ui, texts: &Texts, name: &str, tooltip: &str, value: Color) -> Option<(Color, Gesture)> {
     let id = ui.scope_id().with(("color", name));
-    let (mut typed, mut error): (Option<String>, Option<String>) = ui.data(|d| d.get_temp(id)).unwrap_or_default();
+    let (mut typed, mut error, mut left): (Option<String>, Option<String>, Left) =
+        ui.data(|d| d.get_temp(id)).unwrap_or_default();
+    if error.is_some() && left.has_gone_on(ui, id.with("code")) {
+        error = None;
+    }
     let changed = row::labelled(ui, name, tooltip, |ui, label| {
         let (patch, picked) = picker::button(ui, texts, name, value.to_srgb8());
         row::tip(&patch.labelled_by(label.id), tooltip);
@@ -40,6 +45,6 @@ pub(crate) fn field(ui: &mut Ui, texts: &Texts, name: &str, tooltip: &str, value
     if let Some(error) = &error {
         row::complaint(ui, error);
     }
-    ui.data_mut(|d| d.insert_temp(id, (typed, error)));
+    ui.data_mut(|d| d.insert_temp(id, (typed, error, left)));
     changed.filter(|(color, _)| *color != value)
 }

@@ -3,6 +3,7 @@
 pub(crate) mod check;
 pub(crate) mod color;
 pub(crate) mod icon;
+pub(crate) mod left;
 pub(crate) mod number;
 pub(crate) mod picker;
 pub(crate) mod row;

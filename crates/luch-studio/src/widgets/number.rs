@@ -2,6 +2,7 @@
 //! left; what is wrong is said below the field, and the last good number stays.
 
 use super::check::NumberFormat;
+use super::left::Left;
 use super::row;
 use crate::l10n::Texts;
 use crate::undo::Gesture;
@@ -25,6 +26,7 @@ struct Typing {
     /// What stands in the field; `None`: the value itself.
     text: Option<String>,
     error: Option<String>,
+    left: Left,
     /// The value that the error was about.
     about: f64,
 }
@@ -106,17 +108,19 @@ pub(crate) fn field_of(
     texts: &Texts,
 ) -> (Response, Option<f64>) {
     let mut typing: Typing = ui.data(|data| data.get_temp(id)).unwrap_or_default();
-    if typing.error.is_some() && typing.about != value {
+    let field = id.with("field");
+    if typing.error.is_some() && (typing.about != value || typing.left.has_gone_on(ui, field)) {
         typing.error = None;
     }
     let mut text = typing.text.clone().unwrap_or_else(|| format.write(value));
-    let wrong = typing.error.is_some();
-    let edit = TextEdit::singleline(&mut text).id(id.with("field")).desired_width(width).char_limit(40);
+    // What is shown of the value itself is right.
+    let wrong = typing.error.is_some() && typing.text.is_some();
+    let edit = TextEdit::singleline(&mut text).id(field).desired_width(width).char_limit(40);
     let edit = if wrong { edit.text_color(ui.visuals().error_fg_color) } else { edit };
     let response = ui.add_sized(vec2(width, ui.spacing().interact_size.y), edit);
     let mut done = None;
     if response.gained_focus() {
-        typing = Typing { text: Some(text.clone()), error: None, about: value };
+        typing = Typing { text: Some(text.clone()), about: value, ..Typing::default() };
         select_all(ui, &response, &text);
     }
     if response.changed() {
@@ -134,7 +138,7 @@ pub(crate) fn field_of(
                     done = (text != format.write(value)).then_some(number);
                     typing = Typing::default();
                 }
-                Err(error) => typing = Typing { text: None, error: Some(error), about: value },
+                Err(error) => typing = Typing { error: Some(error), about: value, ..Typing::default() },
             }
         }
     }

@@ -1,5 +1,6 @@
 //! A name or other short text that is taken at Enter or when the field is left.
 
+use super::left::Left;
 use super::row;
 use egui::{TextEdit, Ui, vec2};
 
@@ -12,7 +13,11 @@ pub(crate) fn field(
     check: impl Fn(&str) -> Result<(), String>,
 ) -> Option<String> {
     let id = ui.scope_id().with(("text", name));
-    let (mut text, mut error): (Option<String>, Option<String>) = ui.data(|d| d.get_temp(id)).unwrap_or_default();
+    let (mut text, mut error, mut left): (Option<String>, Option<String>, Left) =
+        ui.data(|d| d.get_temp(id)).unwrap_or_default();
+    if error.is_some() && left.has_gone_on(ui, id.with("field")) {
+        error = None;
+    }
     let changed = row::labelled(ui, name, tooltip, |ui, label| {
         let mut shown = text.clone().unwrap_or_else(|| value.to_owned());
         let width = ui.available_width();
@@ -37,6 +42,6 @@ pub(crate) fn field(
     if let Some(error) = &error {
         row::complaint(ui, error);
     }
-    ui.data_mut(|d| d.insert_temp(id, (text, error)));
+    ui.data_mut(|d| d.insert_temp(id, (text, error, left)));
     changed
 }

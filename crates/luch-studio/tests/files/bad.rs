@@ -119,3 +119,13 @@ fn in_russian_it_is_said_what_the_details_are_about() {
         assert!(desk.says(about) && desk.says(detail), "{}", path.display());
     }
 }
+
+#[test]
+fn a_picture_too_large_to_be_shown_says_what_to_do() {
+    let folder = Folder::new();
+    let huge = folder.write("huge.toml", BALL.replace("size = [64, 48]", "size = [65535, 65535]"));
+    let mut desk = studio_with(&huge);
+    assert!(desk.says("Choose a smaller size, or export the picture"));
+    desk.resize(64, 48);
+    assert_eq!(desk.picture().width, 64);
+}

@@ -225,6 +225,32 @@ fn what_is_wrong_is_said_while_it_is_typed_and_escape_brings_the_value_back() {
 }
 
 #[test]
+fn a_complaint_is_read_where_the_field_is_left_to_and_goes_when_one_goes_on() {
+    for words in LANGUAGES {
+        let told = complaints(&words);
+        let mut desk = desk(words);
+        desk.select_in_list("Knight");
+        let fields = [
+            (words.field_of_view, "-", told.no_number),
+            (words.color, "#12", told.no_color),
+            (words.gloss, "", told.missing),
+        ];
+        for (field, typed, complaint) in fields {
+            desk.begin_typing(field, typed);
+            desk.key(Modifiers::NONE, Key::Tab);
+            assert!(desk.says(complaint), "{field}: nothing is said after Tab");
+            desk.key(Modifiers::NONE, Key::Tab);
+            desk.key(Modifiers::NONE, Key::Tab);
+            assert_no_complaint(&desk, field);
+        }
+        desk.type_into(words.gloss, "");
+        assert!(desk.says(told.missing), "nothing is said after Enter");
+        desk.select_in_list("Cube");
+        assert_no_complaint(&desk, words.gloss);
+    }
+}
+
+#[test]
 fn a_code_that_is_no_color_is_refused() {
     for words in LANGUAGES {
         let told = complaints(&words);

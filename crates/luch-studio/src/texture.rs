@@ -24,8 +24,9 @@ impl Texture {
         // Enlarged pixels stay squares, so that one can count them; a reduced preview is smoothed instead.
         let magnification = if snapshot.shrink > 1 { TextureFilter::Linear } else { TextureFilter::Nearest };
         let options = TextureOptions { magnification, ..TextureOptions::LINEAR };
-        let size = snapshot.job.size;
-        let part = part_within([size.width(), size.height()], image.size, step * snapshot.shrink);
+        // Blocks may reach beyond the picture twice: those of a preview, and those of a reduced texture.
+        let (preview, texture) = (snapshot.extent(), part_within(sides, image.size, step));
+        let part = [preview[0] * texture[0], preview[1] * texture[1]];
         let handle = match before {
             Some(Self { mut handle, .. }) => {
                 handle.set(image, options);

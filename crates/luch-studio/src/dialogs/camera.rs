@@ -26,7 +26,7 @@ pub(super) fn show(ui: &mut Ui, desk: &mut Desk<'_>, index: usize) {
         response.request_focus();
     }
     let taken = name != old && desk.scene().camera_named(&name).is_some();
-    let formed = !name.trim().is_empty() && name.len() <= Scene::MAX_NAME && !name.chars().any(char::is_control);
+    let formed = Scene::check_form(&name).is_ok();
     if taken {
         row::complaint(ui, &texts.name_taken(&name));
     } else if !formed {

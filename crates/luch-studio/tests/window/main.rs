@@ -11,6 +11,7 @@ mod live;
 mod picker;
 mod picking;
 mod snapshots;
+mod starting;
 mod tips;
 mod typing;
 mod undo;
